@@ -1,0 +1,34 @@
+# Two commands for users: `make run` (set-up, build, the paper's batch, the comparison table) and `make test`.
+JOBS ?= $(shell nproc)
+WERROR ?= $(if $(DOB_WERROR),$(DOB_WERROR),OFF)
+
+.PHONY: run test build setup batch-smoke format clean
+
+run: build
+	build/bin/dobbench run --jobs $(JOBS)
+
+test: build
+	ctest --preset release -j $(JOBS)
+
+build: setup
+	@cmake --preset release -DDOB_WERROR=$(WERROR) >build.log 2>&1 || { cat build.log; rm -f build.log; exit 1; }; rm -f build.log
+	@cmake --build --preset release -j $(JOBS)
+
+setup:
+	@.ci/setup
+
+# Ten simulated seconds in one job and in two must give the same table and the same state hashes.
+batch-smoke: build
+	rm -rf build/smoke && mkdir -p build/smoke
+	build/bin/dobbench run undisturbed --set duration_s=10 --jobs 1 --out build/smoke/one
+	build/bin/dobbench run undisturbed --set duration_s=10 --jobs 2 --out build/smoke/two
+	build/bin/dobbench table build/smoke/one --format json > build/smoke/one.json
+	build/bin/dobbench table build/smoke/two --format json > build/smoke/two.json
+	cmp build/smoke/one.json build/smoke/two.json
+	cmp build/smoke/one/cells.jsonl build/smoke/two/cells.jsonl
+
+format:
+	git ls-files '*.h' '*.cc' | xargs clang-format -i
+
+clean:
+	rm -rf build

@@ -1,0 +1,73 @@
+#include "bench/batch_plan.h"
+
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "bench/trial.h"
+#include "observers/factory.h"
+#include "scenarios/loader.h"
+
+namespace dob {
+namespace {
+
+std::vector<std::string> or_all_scenarios(const std::vector<std::string>& asked) {
+  if (!asked.empty()) return asked;
+  std::vector<std::string> names;
+  for (const ScenarioInfo& info : list_scenarios()) names.push_back(info.name);
+  return names;
+}
+
+std::vector<std::string> or_all_observers(const std::vector<std::string>& asked) {
+  if (!asked.empty()) return asked;
+  std::vector<std::string> names;
+  for (const ObserverInfo& info : built_in_observers()) names.emplace_back(info.name);
+  return names;
+}
+
+// What loading cannot see: a standing pose that the legs cannot reach, for example.
+void require_runnable(const Scenario& scenario) {
+  try {
+    const Trial trial(scenario, {.observer = "none", .profile = "-", .options = {}, .routing = {}}, 1);
+  } catch (const std::exception& error) {
+    throw InputError(fmt::format("{}{}{}: {}", scenario.name, scenario.variant.empty() ? "" : "/", scenario.variant,
+                                 error.what()));
+  }
+}
+
+}  // namespace
+
+BatchPlan plan_batch(const BatchRequest& request) {
+  BatchPlan plan;
+  const std::vector<std::string> profiles = request.profiles.empty() ? list_profiles() : request.profiles;
+  const std::vector<std::string> gain_sets = request.gains.empty() ? std::vector<std::string>{"paper"} : request.gains;
+  const std::string overrides = fmt::format("{}", fmt::join(request.overrides, "; "));
+  std::set<CellKey> planned;
+  for (const std::string& name : or_all_scenarios(request.scenarios)) {
+    for (const std::string& gains : gain_sets) {
+      const ScenarioRequest wanted{name, gains, request.planner, request.overrides};
+      for (const Scenario& scenario : load_scenarios(wanted)) {
+        require_runnable(scenario);
+        const std::string file = fmt::format("{}{}{}_{}", scenario.name, scenario.variant.empty() ? "" : "_",
+                                             scenario.variant, gains);
+        plan.resolved.push_back({file, resolved_toml(wanted, scenario.variant)});
+        plan.scenarios.push_back(scenario);
+        for (const std::string& specification : or_all_observers(request.observers)) {
+          for (const std::string& profile : profiles) {
+            const ObserverConfig observer = load_observer(specification, profile, scenario.sim.dt);
+            for (int seed = request.first_seed; seed <= request.last_seed; ++seed) {
+              const CellKey key{scenario.name, scenario.variant, specification, observer.profile,
+                                gains,         scenario.planner_kind, overrides, seed};
+              if (!planned.insert(key).second) continue;
+              plan.cells.push_back({key, plan.scenarios.size() - 1, observer});
+            }
+          }
+        }
+      }
+    }
+  }
+  return plan;
+}
+
+}  // namespace dob

@@ -1,0 +1,88 @@
+#include <memory>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "bench/commands.h"
+#include "observers/factory.h"
+#include "scenarios/loader.h"
+
+namespace dob {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json scenarios() {
+  Json list = Json::array();
+  for (const ScenarioInfo& info : list_scenarios()) {
+    list.push_back({{"name", info.name}, {"summary", info.summary}, {"variants", info.variants}});
+  }
+  return list;
+}
+
+Json observers() {
+  Json list = Json::array();
+  for (const ObserverInfo& info : built_in_observers()) {
+    list.push_back({{"name", info.name},
+                    {"summary", info.summary},
+                    {"estimates_legs", info.estimates_legs},
+                    {"estimates_com", info.estimates_com},
+                    {"source", info.source}});
+  }
+  return list;
+}
+
+Json named(const std::vector<std::string>& names) {
+  Json list = Json::array();
+  for (const std::string& name : names) list.push_back({{"name", name}});
+  return list;
+}
+
+Json solvers() {
+  return Json::array({{{"name", "goldfarb_idnani"}, {"summary", "dual active set, fixed size, 12 variables"}}});
+}
+
+void print_section(const std::string& title, const Json& list) {
+  fmt::print("{}\n", title);
+  for (const Json& item : list) {
+    fmt::print("  {:<16} {}\n", item["name"].get<std::string>(), item.value("summary", ""));
+    const auto variants = item.value("variants", std::vector<std::string>{});
+    if (!variants.empty()) fmt::print("  {:<16} variants: {}\n", "", fmt::join(variants, ", "));
+  }
+}
+
+}  // namespace
+
+Command add_list_command(CLI::App& app) {
+  struct Arguments {
+    std::string what;
+    bool json = false;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("list", "what there is to run");
+  command->add_option("what", arguments->what, "scenarios, observers, profiles (with gain sets) or solvers; all by default")
+      ->check(CLI::IsMember({"scenarios", "observers", "profiles", "solvers"}));
+  command->add_flag("--json", arguments->json, "as JSON");
+  return [arguments] {
+    const Json all{{"scenarios", scenarios()},
+                   {"observers", observers()},
+                   {"profiles", named(list_profiles())},
+                   {"gains", named(list_gain_sets())},
+                   {"solvers", solvers()}};
+    const auto wanted = [&](const std::string& section) {
+      return arguments->what.empty() || section == arguments->what ||
+             (section == "gains" && arguments->what == "profiles");
+    };
+    Json chosen = Json::object();
+    for (const auto& [section, list] : all.items()) {
+      if (!wanted(section)) continue;
+      chosen[section] = list;
+      if (!arguments->json) print_section(section, list);
+    }
+    if (arguments->json) fmt::print("{}\n", chosen.dump(2));
+    return kExitOk;
+  };
+}
+
+}  // namespace dob

@@ -1,0 +1,85 @@
+#include <charconv>
+#include <cstdio>
+#include <memory>
+#include <thread>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "bench/batch.h"
+#include "bench/commands.h"
+#include "results/table.h"
+#include "scenarios/input_error.h"
+
+namespace dob {
+namespace {
+
+struct Arguments {
+  BatchRequest request;
+  BatchOptions options;
+  std::string seeds = "1";
+  std::string log = "none";
+};
+
+int parse_seed(std::string_view text, const std::string& whole) {
+  int seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error != std::errc{} || end != text.data() + text.size() || seed < 1) {
+    throw InputError(fmt::format("--seeds {}: allowed: N for the seeds 1 to N, or A..B with 1 <= A <= B", whole));
+  }
+  return seed;
+}
+
+// "N" is 1..N; "a..b" is that range.
+void read_seeds(const std::string& text, BatchRequest& request) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string::npos) {
+    request.first_seed = 1;
+    request.last_seed = parse_seed(text, text);
+  } else {
+    request.first_seed = parse_seed(std::string_view(text).substr(0, dots), text);
+    request.last_seed = parse_seed(std::string_view(text).substr(dots + 2), text);
+  }
+  if (request.last_seed < request.first_seed) parse_seed("", text);
+}
+
+int run(Arguments& arguments) {
+  read_seeds(arguments.seeds, arguments.request);
+  arguments.options.log_csv = arguments.log == "csv";
+  arguments.options.progress = ::isatty(STDERR_FILENO) == 1;
+  const BatchPlan plan = plan_batch(arguments.request);
+  const BatchSummary summary = run_batch(plan, arguments.options);
+  fmt::print("{}", render_table(read_run(summary.dir), {}));
+  fmt::print("\nrun directory: {}\n", summary.dir.string());
+  if (summary.stop_signal != 0) return kExitSignal + summary.stop_signal;
+  return summary.errors > 0 ? kExitCellErrors : kExitOk;
+}
+
+}  // namespace
+
+Command add_run_command(CLI::App& app, const std::string& command_line) {
+  auto arguments = std::make_shared<Arguments>();
+  BatchRequest& request = arguments->request;
+  BatchOptions& options = arguments->options;
+  options.command_line = command_line;
+  options.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  CLI::App* command = app.add_subcommand("run", "run scenarios with observers and print the comparison table");
+  command->add_option("scenario", request.scenarios, "NAME, NAME/VARIANT or FILE.toml; every shipped one by default");
+  command->add_option("--observer", request.observers, "NAME[:key=value,...]; every built-in one by default")
+      ->allow_extra_args(false);
+  command->add_option("--profile", request.profiles, "gains and routing of the observers; every one by default")
+      ->allow_extra_args(false);
+  command->add_option("--gains", request.gains, "gain set of the controller (default paper)")->allow_extra_args(false);
+  command->add_option("--planner", request.planner, "planner of the motion (default: the scenario's)");
+  command->add_option("--seeds", arguments->seeds, "N for the seeds 1 to N, or A..B (default 1)");
+  command->add_option("--set", request.overrides, "KEY=VALUE laid over every scenario")->allow_extra_args(false);
+  command->add_option("--jobs", options.jobs, "cells at a time (default: the cores)")->check(CLI::Range(1, 1024));
+  command->add_option("--out", options.out, "run directory, new or empty (default dobbench-results/NNNN)");
+  command->add_option("--log", arguments->log, "csv: every tick of every cell as a file")
+      ->check(CLI::IsMember({"none", "csv"}));
+  command->add_option("--timeout", options.timeout_s, "wall time for one cell [s]; 0: none")
+      ->check(CLI::Range(0.0, 1e9));
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace dob

@@ -1,0 +1,37 @@
+#include <map>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "bench/commands.h"
+#include "results/table.h"
+
+namespace dob {
+
+Command add_table_command(CLI::App& app) {
+  struct Arguments {
+    std::string dir;
+    TableOptions options;
+  };
+  const std::map<std::string, TableFormat> formats{{"text", TableFormat::kText},
+                                                   {"md", TableFormat::kMarkdown},
+                                                   {"csv", TableFormat::kCsv},
+                                                   {"latex", TableFormat::kLatex},
+                                                   {"json", TableFormat::kJson}};
+  const std::map<std::string, TableOrder> orders{{"scenario", TableOrder::kByScenario},
+                                                 {"observer", TableOrder::kByObserver}};
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = app.add_subcommand("table", "the comparison table of a run directory");
+  command->add_option("dir", arguments->dir, "run directory")->required();
+  command->add_option("--format", arguments->options.format, "text, md, csv, latex or json")
+      ->transform(CLI::CheckedTransformer(formats));
+  command->add_option("--by", arguments->options.order, "scenario or observer")
+      ->transform(CLI::CheckedTransformer(orders));
+  command->add_flag("--timing", arguments->options.timing, "with the figures that differ from run to run");
+  return [arguments] {
+    fmt::print("{}", render_table(read_run(arguments->dir), arguments->options));
+    return kExitOk;
+  };
+}
+
+}  // namespace dob

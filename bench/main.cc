@@ -1,0 +1,51 @@
+#include <cstdio>
+#include <map>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "bench/build_info.h"
+#include "bench/commands.h"
+#include "results/store.h"
+#include "scenarios/input_error.h"
+
+namespace {
+
+std::string command_line(int argc, char** argv) {
+  std::string line;
+  for (int i = 0; i < argc; ++i) line += (i > 0 ? " " : "") + std::string(argv[i]);
+  return line;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Compares disturbance observers on a torque-controlled quadruped in the Open Dynamics Engine.");
+  app.require_subcommand(1);
+  const dob::BuildInfo build = dob::build_info();
+  app.set_version_flag("--version", fmt::format("dobbench {} ({}, {}, {})", build.version, build.commit,
+                                                build.build_type, build.compiler));
+  const std::map<std::string, dob::Command> commands{
+      {"list", dob::add_list_command(app)},
+      {"run", dob::add_run_command(app, command_line(argc, argv))},
+      {"table", dob::add_table_command(app)},
+  };
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help_or_version) {
+    return app.exit(help_or_version);
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "dobbench: {}\n", error.what());
+    return dob::kExitBadInput;
+  }
+  return commands.at(app.get_subcommands().front()->get_name())();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "dobbench: {}\n", error.what());
+    return dob::kExitBadInput;
+  }
+}

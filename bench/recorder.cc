@@ -1,0 +1,112 @@
+#include "bench/recorder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+namespace dob {
+namespace {
+
+// Joint columns, in CoM coordinates, of the Jacobian of the point where a force acts (3x12 [m]).
+Eigen::Matrix<double, 3, 12> joint_columns(const ModelTerms& m, const AppliedForce& force) noexcept {
+  if (force.leg == AppliedForce::kTrunk) {
+    return -point_jacobian_com(m, m.state.p_WB + m.state.R_WB * force.p_L) * m.A_c;
+  }
+  const LegPoint point = leg_point(m, Leg{force.leg}, force.link, force.p_L);
+  Eigen::Matrix<double, 3, 12> J = -point_jacobian_com(m, point.p) * m.A_c;
+  J.middleCols<3>(3 * force.leg) += point.J_q;
+  return J;
+}
+
+// Least-squares f of J^T f = torque; directions with singular values below 5 % of the largest are cut, since a force on
+// a knee is nearly invisible in one direction and noise there would be blown up.
+Vec3 force_at_point(const Eigen::Matrix<double, 3, 12>& J, const Vec12& torque) noexcept {
+  constexpr double kCut = 0.05;
+  Eigen::SelfAdjointEigenSolver<Mat3> eigen;
+  eigen.computeDirect(J * J.transpose());
+  const Vec3 b = eigen.eigenvectors().transpose() * (J * torque);
+  const double smallest = kCut * kCut * eigen.eigenvalues()[2];
+  Vec3 y = Vec3::Zero();
+  for (int i = 0; i < 3; ++i) {
+    if (eigen.eigenvalues()[i] > smallest) y[i] = b[i] / eigen.eigenvalues()[i];
+  }
+  return eigen.eigenvectors() * y;
+}
+
+}  // namespace
+
+Recorder::Recorder(const RobotDescription& robot, const Scenario& scenario) : dt_(scenario.sim.dt) {
+  for (const Disturbance& d : scenario.disturbances) profiles_.push_back(d.profile);
+  for (int j = 0; j < kJoints; ++j) {
+    torque_limit_[j] = std::min(robot.legs[j / 3].joints[j % 3].effort_limit, scenario.controller.torque_limit);
+  }
+}
+
+const TickRecord& Recorder::record(double t, const ModelTerms& m, const LocomotionController& controller,
+                                   const WbcTick& command, const StepResult& step, const Estimate& estimate,
+                                   std::span<const AppliedForce> forces) noexcept {
+  TickRecord& r = record_;
+  const MotionReference& reference = controller.reference();
+  const GaitState& gait = controller.gait();
+  r.t = t;
+  r.com = m.p_com;
+  r.com_reference = reference.com.p;
+  r.path_position = controller.path().at(t).p;
+  r.orientation_error = Eigen::AngleAxisd(Mat3(reference.R_WB * m.state.R_WB.transpose())).angle();
+  r.stance = controller.stance();
+  r.lift_off = gait.lift_off;
+  r.touchdown = gait.touchdown;
+  for (int l = 0; l < kLegs; ++l) {
+    r.foot[l] = m.foot[l].p;
+    r.foothold[l] = reference.foothold[l];
+    r.foot_reference[l] = r.stance[l] ? reference.foothold[l] : reference.foot[l].p;
+    r.foot_force.segment<3>(3 * l) = step.foot_force_W[l];
+    r.slip[l] = step.foot_slip_W[l] * dt_;
+  }
+  r.foot_force_commanded = controller.solution().foot_force;
+  r.joint_torque = step.joint_torque;
+  r.saturated_joints = static_cast<int>((step.joint_torque.array().abs() >= torque_limit_.array()).count());
+  r.disturbance_onset = false;
+  r.disturbance_active = false;
+  for (const ForceProfile& profile : profiles_) {
+    const bool active = profile.active(t);
+    r.disturbance_active = r.disturbance_active || active;
+    r.disturbance_onset = r.disturbance_onset || active != (t > 0.0 && profile.active(t - dt_));
+  }
+  record_estimate(estimate);
+  remember_truth(m, forces);
+  r.qp_solved = command.event != QpEvent::kHeld;
+  r.qp_status = command.qp_status;
+  r.qp_iterations = command.qp_iterations;
+  return r;
+}
+
+void Recorder::record_estimate(const Estimate& estimate) noexcept {
+  TickRecord& r = record_;
+  r.has_leg_estimate = estimate.has_legs && have_truth_;
+  r.leg_torque_estimate = estimate.leg_torque;
+  r.leg_torque_true = true_torque_;
+  r.has_force_estimate = r.has_leg_estimate && single_leg_force_;
+  r.force_true = true_force_;
+  r.force_estimate = r.has_force_estimate ? force_at_point(point_jacobian_, estimate.leg_torque) : Vec3::Zero();
+}
+
+void Recorder::remember_truth(const ModelTerms& m, std::span<const AppliedForce> forces) noexcept {
+  have_truth_ = true;
+  true_torque_.setZero();
+  true_force_.setZero();
+  int acting = 0;
+  for (const AppliedForce& force : forces) {
+    if (force.force_W.isZero(0.0)) continue;
+    const Eigen::Matrix<double, 3, 12> J = joint_columns(m, force);
+    true_torque_ += J.transpose() * force.force_W;
+    ++acting;
+    single_leg_force_ = acting == 1 && force.leg != AppliedForce::kTrunk;
+    point_jacobian_ = J;
+    true_force_ = force.force_W;
+  }
+  if (acting != 1) single_leg_force_ = false;
+}
+
+}  // namespace dob

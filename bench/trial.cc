@@ -1,0 +1,161 @@
+#include "bench/trial.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <random>
+
+#include "observers/factory.h"
+#include "results/metrics.h"
+#include "robot/standing_pose.h"
+
+namespace dob {
+namespace {
+
+// FNV-1a over the bytes of a state: equal bits, equal hash.
+std::uint64_t hash_state(std::uint64_t hash, const RobotState& s) noexcept {
+  const auto add = [&hash](const double* data, int count) {
+    for (int i = 0; i < count; ++i) {
+      std::uint64_t bits = 0;
+      std::memcpy(&bits, data + i, sizeof bits);
+      hash = (hash ^ bits) * 0x100000001b3ULL;
+    }
+  };
+  add(s.p_WB.data(), 3);
+  add(s.R_WB.data(), 9);
+  add(s.v_WB.data(), 3);
+  add(s.omega_WB.data(), 3);
+  add(s.q.data(), kJoints);
+  add(s.qd.data(), kJoints);
+  return hash;
+}
+
+LocomotionOptions locomotion_options(const Scenario& s, const Routing& routing) {
+  return {s.gait, s.planner, s.controller, routing};
+}
+
+DisturbanceEstimate for_controller(const Estimate& e) noexcept {
+  return {e.has_legs, e.leg_torque, e.has_com, e.com_wrench};
+}
+
+}  // namespace
+
+Trial::Trial(const Scenario& scenario, const ObserverConfig& observer, int seed)
+    : scenario_(scenario),
+      observer_config_(observer),
+      seed_(seed),
+      robot_(load_robot(scenario.robot.urdf, scenario.robot.forward)),
+      model_(robot_),
+      simulator_(robot_, scenario.terrain, scenario.sim),
+      sensors_(scenario.noise, static_cast<std::uint64_t>(seed)),
+      observer_(make_observer(observer.observer, observer.options, scenario.sim.dt)),
+      controller_(locomotion_options(scenario, observer.routing), ReferencePath(scenario.path), scenario.sim.dt),
+      recorder_(robot_, scenario_) {
+  RobotState initial = standing_pose(model_, scenario_.planner.com_height, scenario_.planner.foot_offset_x,
+                                     scenario_.planner.foot_offset_y, scenario_.robot.posture);
+  nominal_height_ = initial.p_WB.z();
+  apply_seed(initial);
+  forces_.resize(scenario_.disturbances.size());
+  simulator_.reset(initial);
+  model_.compute(initial, *now_);
+  observer_->reset(*now_);
+  controller_.reset(*now_, initial_footstep_time_, other_diagonal_first_);
+}
+
+Trial::~Trial() = default;
+
+// Seed 1 is the nominal run; the others vary the start of the gait, of the robot and of the disturbances.
+void Trial::apply_seed(RobotState& initial) {
+  if (seed_ == 1) return;
+  std::mt19937_64 random(static_cast<std::uint64_t>(seed_));
+  const auto uniform = [&random] { return static_cast<double>(random() >> 11U) * 0x1.0p-53; };
+  const SeedVariation& v = scenario_.seed_variation;
+  initial_footstep_time_ = v.gait_phase * uniform() * scenario_.gait.stance_duration;
+  other_diagonal_first_ = uniform() < 0.5;
+  for (int i = 0; i < 2; ++i) {
+    initial.p_WB[i] += v.position * (2.0 * uniform() - 1.0);
+    initial.v_WB[i] += v.velocity * (2.0 * uniform() - 1.0);
+  }
+  const double later = v.disturbance_onset * uniform();
+  for (Disturbance& d : scenario_.disturbances) d.profile.start_s += later;
+  recorder_ = Recorder(robot_, scenario_);
+}
+
+bool Trial::tick() {
+  const double t = time();
+  ModelTerms& m = *now_;
+  const WbcTick& command = controller_.update(m, foot_force_, for_controller(estimate_));
+  if (!command.torque.allFinite()) {
+    fall_reason_ = "non-finite command";
+    return false;
+  }
+  for (std::size_t i = 0; i < forces_.size(); ++i) forces_[i] = scenario_.disturbances[i].at(t, m.state);
+
+  const StepResult step = simulator_.step(command.torque, forces_);
+  record_ = recorder_.record(t, m, controller_, command, step, estimate_, forces_);
+
+  std::swap(start_, now_);
+  model_.compute(simulator_.state(), *now_);
+  observe(sensors_.measure(step));
+  ++tick_;
+  return !has_fallen(step);
+}
+
+void Trial::observe(const SensorReading& reading) noexcept {
+  for (int l = 0; l < kLegs; ++l) foot_force_.segment<3>(3 * l) = reading.foot_force_W[l];
+  estimate_ = observer_->update(
+      {*start_, *now_, reading.joint_torque, foot_force_, controller_.stance(), scenario_.sim.dt});
+}
+
+CellResult Trial::run(const Sink& sink) {
+  const auto wall_start = std::chrono::steady_clock::now();
+  const long ticks = std::lround(scenario_.duration / scenario_.sim.dt);
+  MetricsAccumulator metrics(scenario_.metric_leg, scenario_.sim.dt, scenario_.duration);
+  CellResult result;
+  result.key = {.scenario = scenario_.name,
+                .variant = scenario_.variant,
+                .observer = observer_config_.observer,
+                .profile = observer_config_.profile,
+                .gains = {},
+                .planner = {},
+                .overrides = {},
+                .seed = seed_};
+  result.outcome = Outcome::kSurvived;
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  while (tick_ < ticks) {
+    const bool up = tick();
+    hash = hash_state(hash, now_->state);
+    if (up) metrics.add(record_);
+    if (sink) sink(record_);
+    if (!up) {
+      result.outcome = Outcome::kFell;
+      result.reason = fall_reason_;
+      break;
+    }
+  }
+  result.simulated_s = time();
+  result.state_hash = hash;
+  result.metrics = metrics.finish();
+  result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
+  return result;
+}
+
+bool Trial::has_fallen(const StepResult& step) noexcept {
+  const RobotState& s = now_->state;
+  const bool finite = s.p_WB.allFinite() && s.R_WB.allFinite() && s.v_WB.allFinite() && s.omega_WB.allFinite() &&
+                      s.q.allFinite() && s.qd.allFinite();
+  if (!finite) {
+    fall_reason_ = "non-finite state";
+  } else if (step.trunk_contact) {
+    fall_reason_ = "trunk touches";
+  } else if (s.p_WB.z() < scenario_.fall.min_height_ratio * nominal_height_) {
+    fall_reason_ = "trunk low";
+  } else if (std::acos(std::clamp(s.R_WB(2, 2), -1.0, 1.0)) > scenario_.fall.max_tilt) {
+    fall_reason_ = "trunk tilted";
+  } else {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace dob

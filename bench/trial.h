@@ -1,0 +1,67 @@
+// One trial: the block diagram of the paper's Fig. 2, closed around the simulator.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "bench/recorder.h"
+#include "controller/locomotion_controller.h"
+#include "observers/observer.h"
+#include "results/cell.h"
+#include "robot/model.h"
+#include "scenarios/scenario.h"
+#include "sim/simulator.h"
+
+namespace dob {
+
+class Trial {
+ public:
+  // Builds everything and stands the robot up. Throws std::exception with a message for the user.
+  Trial(const Scenario& scenario, const ObserverConfig& observer, int seed);
+  ~Trial();
+
+  using Sink = std::function<void(const TickRecord&)>;
+
+  // Runs to the scenario's end or a fall. The result's key holds what the trial knows of it. `sink` sees every tick.
+  CellResult run(const Sink& sink = {});
+
+  // One control tick and simulation step; false when the robot has fallen. For run() and benchmarks.
+  bool tick();
+
+  double time() const noexcept { return static_cast<double>(tick_) * scenario_.sim.dt; }  // [s]
+  const TickRecord& record() const noexcept { return record_; }
+  const LocomotionController& controller() const noexcept { return controller_; }
+  const ModelTerms& model_terms() const noexcept { return *now_; }
+
+ private:
+  void apply_seed(RobotState& initial);
+  void observe(const SensorReading& reading) noexcept;
+  bool has_fallen(const StepResult& step) noexcept;
+
+  Scenario scenario_;
+  ObserverConfig observer_config_;
+  int seed_;
+  RobotDescription robot_;
+  Model model_;
+  Simulator simulator_;
+  Sensors sensors_;
+  std::unique_ptr<DisturbanceObserver> observer_;
+  LocomotionController controller_;
+  double initial_footstep_time_ = 0.0;
+  bool other_diagonal_first_ = false;
+
+  std::array<ModelTerms, 2> terms_;  // at the start and at the end of a control interval, swapped every tick
+  ModelTerms* start_ = &terms_[0];
+  ModelTerms* now_ = &terms_[1];
+  Vec12 foot_force_ = Vec12::Zero();  // [N] measured over the last step
+  Estimate estimate_;
+  std::vector<AppliedForce> forces_;  // acting over the step, one per disturbance
+  long tick_ = 0;
+  double nominal_height_ = 0.0;
+  const char* fall_reason_ = "";
+  Recorder recorder_;
+  TickRecord record_;
+};
+
+}  // namespace dob

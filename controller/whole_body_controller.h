@@ -1,0 +1,57 @@
+// Solves the whole-body QP when it is due and turns the held solution into joint torques at every tick.
+#pragma once
+
+#include "controller/compensation.h"
+#include "controller/goldfarb_idnani.h"
+#include "controller/motion_planner.h"
+#include "controller/whole_body_qp.h"
+
+namespace dob {
+
+// What happened to the QP at a tick.
+enum class QpEvent {
+  kHeld,           // not due: the last solution is held
+  kSolved,         // optimal
+  kTorqueRelaxed,  // fallback 1: not optimal with the torque rows (24); solved without them, torques saturate
+  kNotSolved,      // fallback 2: no usable solution, the previous one is held on
+};
+
+struct WbcTick {
+  QpEvent event = QpEvent::kHeld;
+  QpStatus qp_status = QpStatus::kOptimal;  // of the full problem, at ticks where it was solved
+  int qp_iterations = 0;
+  Vec12 torque = Vec12::Zero();  // [N m] within the torque limit
+};
+
+class WholeBodyController {
+ public:
+  // Throws std::invalid_argument naming the option, its value and what is allowed.
+  WholeBodyController(const WbcOptions& options, const Routing& routing);
+
+  void reset() noexcept;
+
+  // Tick number `k` since reset, of dt [s]. The QP runs at options.qp_rate on the grid of ticks (400 Hz at 1 ms: every
+  // 3, 2, 3, 2 ... ticks), and at once when the stance set changes. Between solves (36) is evaluated with the held
+  // solution and the present model and estimate.
+  WbcTick update(long k, double dt, const ModelTerms& m, const PerLeg<bool>& stance, const MotionReference& reference,
+                 const DisturbanceEstimate& estimate) noexcept;
+
+  const WbcSolution& solution() const noexcept { return solution_; }
+  const WbcProblem& last_problem() const noexcept { return qp_.problem(); }
+
+ private:
+  bool due(long k, double dt, const PerLeg<bool>& stance) const noexcept;
+  void solve(const ModelTerms& m, const MotionReference& reference, const DisturbanceEstimate& estimate,
+             const PerLeg<LegPoint>& points, const Mat12& J_j_inverse, WbcTick& tick) noexcept;
+
+  WbcOptions options_;
+  Routing routing_;
+  WholeBodyQp qp_;
+  GoldfarbIdnani<kWbcVariables, kWbcMaxRows> solver_;
+  WbcQpSolution qp_solution_;
+  WbcSolution solution_;
+  PerLeg<bool> stance_{};
+  bool have_solution_ = false;
+};
+
+}  // namespace dob

@@ -1,0 +1,40 @@
+// One cell of a batch: its key, how it ended, its metrics. The row of the store and the atom of every table.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace dob {
+
+struct CellKey {
+  std::string scenario, variant, observer, profile, gains, planner, overrides;
+  int seed = 1;
+
+  friend auto operator<=>(const CellKey&, const CellKey&) = default;
+};
+
+enum class Outcome { kSurvived, kFell, kError };
+
+// Definitions: docs/metrics.md. nullopt where a metric does not apply.
+struct CellMetrics {
+  std::optional<double> com_error_max_m, com_error_rms_m, com_error_p99_m, path_error_max_m;
+  std::optional<double> foot_error_max_m, foot_error_p99_m, foot_error_onset_max_m, foot_error_stance_max_m;
+  std::optional<double> foothold_error_max_m, grf_error_mean_N;
+  std::optional<double> estimate_rmse_N, joint_estimate_rmse_Nm;
+  std::optional<double> orientation_error_max_rad, torque_saturation_ratio, slip_max_m;
+  long qp_solves = 0;
+  long qp_failures = 0;  // solves that did not end optimal; the fallback was used
+};
+
+struct CellResult {
+  CellKey key;
+  Outcome outcome = Outcome::kError;
+  std::string reason;            // why it fell or could not be run; empty when it survived
+  double simulated_s = 0.0;      // [s]
+  double wall_s = 0.0;           // [s] of the whole trial
+  std::uint64_t state_hash = 0;  // of every state of the trajectory, bit for bit
+  CellMetrics metrics;
+};
+
+}  // namespace dob

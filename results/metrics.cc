@@ -1,0 +1,118 @@
+#include "results/metrics.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace dob {
+namespace {
+
+std::size_t expected_ticks(double dt, double duration) {
+  if (!(dt > 0.0) || !std::isfinite(dt)) {
+    throw std::invalid_argument("metrics: dt = " + std::to_string(dt) + " s, allowed: > 0");
+  }
+  if (!(duration >= 0.0) || !std::isfinite(duration)) {
+    throw std::invalid_argument("metrics: duration = " + std::to_string(duration) + " s, allowed: >= 0");
+  }
+  return static_cast<std::size_t>(std::ceil(duration / dt)) + 1;
+}
+
+std::optional<double> root(std::optional<double> mean_square) noexcept {
+  return mean_square ? std::optional(std::sqrt(*mean_square)) : std::nullopt;
+}
+
+std::optional<double> finite(std::optional<double> x) noexcept {
+  return x && std::isfinite(*x) ? x : std::nullopt;
+}
+
+FootErrorSummary worst_of(const std::vector<FootErrors>& feet) {
+  FootErrorSummary worst;
+  for (const FootErrors& foot : feet) {
+    const FootErrorSummary one = foot.finish();
+    worst.swing_max = larger(worst.swing_max, one.swing_max);
+    worst.swing_p99 = larger(worst.swing_p99, one.swing_p99);
+    worst.onset_max = larger(worst.onset_max, one.onset_max);
+    worst.stance_max = larger(worst.stance_max, one.stance_max);
+    worst.foothold_max = larger(worst.foothold_max, one.foothold_max);
+  }
+  return worst;
+}
+
+}  // namespace
+
+MetricsAccumulator::MetricsAccumulator(std::optional<Leg> metric_leg, double dt, double duration)
+    : metric_leg_(metric_leg) {
+  const std::size_t ticks = expected_ticks(dt, duration);
+  com_error_.reserve(ticks);
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (!metric_leg || static_cast<int>(*metric_leg) == leg) feet_.emplace_back(leg, dt, ticks);
+  }
+  slip_.fill(Vec3::Zero());
+}
+
+void MetricsAccumulator::add(const TickRecord& tick) noexcept {
+  com_error_.push_back((tick.com - tick.com_reference).norm());
+  path_error_max_ = larger(path_error_max_, (tick.com.head<2>() - tick.path_position).norm());
+  orientation_error_max_ = larger(orientation_error_max_, tick.orientation_error);
+  saturated_joints_.add(tick.saturated_joints);
+  for (FootErrors& foot : feet_) foot.add(tick);
+  add_force_errors(tick);
+  add_estimate_errors(tick);
+  add_slip(tick);
+  if (tick.qp_solved) {
+    ++qp_solves_;
+    if (tick.qp_status != QpStatus::kOptimal) ++qp_failures_;
+  }
+}
+
+void MetricsAccumulator::add_force_errors(const TickRecord& tick) noexcept {
+  for (int leg = 0; leg < kLegs; ++leg) {
+    if (!tick.stance[static_cast<std::size_t>(leg)]) continue;
+    if (metric_leg_ && static_cast<int>(*metric_leg_) != leg) continue;
+    grf_error_.add((tick.foot_force_commanded.segment<3>(3 * leg) - tick.foot_force.segment<3>(3 * leg)).norm());
+  }
+}
+
+void MetricsAccumulator::add_estimate_errors(const TickRecord& tick) noexcept {
+  if (tick.has_force_estimate) estimate_square_.add((tick.force_estimate - tick.force_true).squaredNorm());
+  if (tick.has_leg_estimate) {
+    joint_estimate_square_.add((tick.leg_torque_estimate - tick.leg_torque_true).squaredNorm());
+  }
+}
+
+void MetricsAccumulator::add_slip(const TickRecord& tick) noexcept {
+  for (std::size_t leg = 0; leg < kLegs; ++leg) {
+    if (!tick.stance[leg] || tick.touchdown[leg]) slip_[leg].setZero();
+    if (!tick.stance[leg]) continue;
+    slip_[leg] += tick.slip[leg];
+    slip_max_ = larger(slip_max_, slip_[leg].norm());
+  }
+}
+
+CellMetrics MetricsAccumulator::finish() const {
+  RunningMean com_square;
+  for (const double error : com_error_) com_square.add(error * error);
+  const FootErrorSummary foot = worst_of(feet_);
+  const std::optional<double> saturated = saturated_joints_.value();
+  CellMetrics m;
+  m.com_error_max_m = finite(max_of(com_error_));
+  m.com_error_rms_m = finite(root(com_square.value()));
+  m.com_error_p99_m = finite(p99_of(com_error_));
+  m.path_error_max_m = finite(path_error_max_);
+  m.foot_error_max_m = finite(foot.swing_max);
+  m.foot_error_p99_m = finite(foot.swing_p99);
+  m.foot_error_onset_max_m = finite(foot.onset_max);
+  m.foot_error_stance_max_m = finite(foot.stance_max);
+  m.foothold_error_max_m = finite(foot.foothold_max);
+  m.grf_error_mean_N = finite(grf_error_.value());
+  m.estimate_rmse_N = finite(root(estimate_square_.value()));
+  m.joint_estimate_rmse_Nm = finite(root(joint_estimate_square_.value()));
+  m.orientation_error_max_rad = finite(orientation_error_max_);
+  m.torque_saturation_ratio = saturated ? std::optional(*saturated / kJoints) : std::nullopt;
+  m.slip_max_m = finite(slip_max_);
+  m.qp_solves = qp_solves_;
+  m.qp_failures = qp_failures_;
+  return m;
+}
+
+}  // namespace dob

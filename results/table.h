@@ -1,0 +1,24 @@
+// The comparison table of a run: one row per (scenario, variant, observer, profile, gains, planner, overrides).
+#pragma once
+
+#include <string>
+
+#include "results/store.h"
+
+namespace dob {
+
+enum class TableFormat { kText, kMarkdown, kCsv, kLatex, kJson };
+enum class TableOrder { kByScenario, kByObserver };
+
+struct TableOptions {
+  TableFormat format = TableFormat::kText;
+  TableOrder order = TableOrder::kByScenario;
+  bool timing = false;  // adds the figures that differ from run to run
+};
+
+// Plain text, ends in a line end. Depends on the run's cells only, not on the order in which they ended. Text, Markdown
+// and LaTeX are for readers: millimetres, rounded, with notes on what went wrong. CSV and JSON hold every metric in SI
+// units and full precision. Which runs a figure stands for: results/table_rows.h.
+std::string render_table(const Run& run, const TableOptions& options);
+
+}  // namespace dob

@@ -1,0 +1,137 @@
+// Observers from profiles and from the command line.
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "observers/factory.h"
+#include "scenarios/data_directory.h"
+#include "scenarios/document.h"
+#include "scenarios/loader.h"
+#include "scenarios/reader.h"
+
+namespace dob {
+namespace {
+
+constexpr const char* kRouting = "routing";
+constexpr std::array<Choice<Routing::Swing>, 3> kSwing{
+    {{"off", Routing::Swing::kOff}, {"projected", Routing::Swing::kProjected}, {"direct", Routing::Swing::kDirect}}};
+
+const ObserverInfo& find_observer(std::string_view name, const Place& place) {
+  const auto observers = built_in_observers();
+  const auto it = std::find_if(observers.begin(), observers.end(), [&](const auto& info) { return info.name == name; });
+  if (it != observers.end()) return *it;
+  std::vector<std::string_view> names;
+  for (const ObserverInfo& info : observers) names.push_back(info.name);
+  throw InputError(place, "", fmt::format("there is no observer '{}'; there are: {}", name, fmt::join(names, ", ")));
+}
+
+bool estimates(const ObserverInfo& info) {
+  return info.estimates_legs || info.estimates_com;
+}
+
+struct NodeMaker {
+  template <typename T>
+  Node operator()(const T& value) const {
+    return {value, place};
+  }
+  Node operator()(const std::vector<double>& list) const {
+    Array array;
+    for (const double number : list) array.push_back({number, place});
+    return {std::move(array), place};
+  }
+  const Place& place;
+};
+
+// `key=value,key=value` as the document that a profile would hold.
+Node parse_specification(std::string_view text, const Place& place) {
+  Node document{Table{}, place};
+  while (!text.empty()) {
+    const std::size_t comma = text.find(',');
+    const std::string_view item = text.substr(0, comma);
+    const std::size_t equals = item.find('=');
+    if (equals == std::string_view::npos)
+      throw InputError(place, "", fmt::format("'{}'; allowed: KEY=VALUE, several with commas between them", item));
+    set(document, std::string(item.substr(0, equals)),
+        std::visit(NodeMaker{place}, parse_option_value(item.substr(equals + 1))));
+    text = comma == std::string_view::npos ? std::string_view{} : text.substr(comma + 1);
+  }
+  return document;
+}
+
+// The observer's table in the profile. Every table of the profile has to be an observer's.
+const Node* find_in_profile(const Node& profile, const ObserverInfo& info) {
+  for (const Entry& e : table_of(profile, "")) {
+    table_of(e.node, e.key);
+    if (!estimates(find_observer(e.key, e.node.place)))
+      throw InputError(e.node.place, e.key, "this observer estimates nothing; a profile has nothing to say about it");
+  }
+  return profile.find(info.name);
+}
+
+OptionValue option_value(const Node& node, const std::string& key) {
+  if (const auto* flag = std::get_if<bool>(&node.value)) return *flag;
+  if (const auto* number = std::get_if<double>(&node.value)) return *number;
+  if (const auto* text = std::get_if<std::string>(&node.value)) return *text;
+  std::vector<double> list;
+  if (const auto* array = std::get_if<Array>(&node.value)) {
+    for (const Node& element : *array) {
+      if (const auto* number = std::get_if<double>(&element.value)) list.push_back(*number);
+    }
+    if (list.size() == array->size()) return list;
+  }
+  throw InputError(node.place, key, describe(node) + "; allowed: true, false, a number, a text, a list of numbers");
+}
+
+Routing read_routing(const Node& node, const std::string& path) {
+  Routing routing;
+  Reader::read(node, path, [&](Reader& r) {
+    routing.wrench_17 = r.flag("wrench_17", routing.wrench_17);
+    routing.dynamics_18 = r.flag("dynamics_18", routing.dynamics_18);
+    routing.torque_36 = r.flag("torque_36", routing.torque_36);
+    routing.swing_31 = r.choice("swing_31", kSwing, std::optional(routing.swing_31));
+  });
+  return routing;
+}
+
+}  // namespace
+
+ObserverConfig load_observer(std::string_view specification, const std::string& profile, double dt) {
+  const std::size_t colon = specification.find(':');
+  const Place command{fmt::format("--observer {}", specification)};
+  const ObserverInfo& info = find_observer(specification.substr(0, colon), command);
+  const std::vector<std::string> profiles = profile_names();
+  if (std::find(profiles.begin(), profiles.end(), profile) == profiles.end()) {
+    throw InputError({"--profile"}, "",
+                     fmt::format("there is no '{}'; there are: {}", profile, fmt::join(profiles, ", ")));
+  }
+
+  const Node document = parse_file(profile_file(profile));
+  const Node* in_profile = find_in_profile(document, info);
+  Node table = in_profile == nullptr ? Node{Table{}, command} : *in_profile;
+  if (colon != std::string_view::npos) merge(table, parse_specification(specification.substr(colon + 1), command));
+
+  ObserverConfig config{std::string(info.name), in_profile == nullptr ? "-" : profile, {}, {}};
+  for (const Entry& e : table_of(table, config.observer)) {
+    const std::string key = fmt::format("{}.{}", config.observer, e.key);
+    if (e.key != kRouting) {
+      config.options[e.key] = option_value(e.node, key);
+    } else if (estimates(info)) {
+      config.routing = read_routing(e.node, key);
+    } else {
+      throw InputError(e.node.place, key, "this observer estimates nothing that could be routed");
+    }
+  }
+  try {
+    make_observer(config.observer, config.options, dt);
+  } catch (const OptionError& error) {
+    throw InputError(table.place, "", error.what());
+  }
+  return config;
+}
+
+}  // namespace dob

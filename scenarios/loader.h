@@ -1,0 +1,53 @@
+// From names and files to checked values. Everything below throws InputError for the first thing that is wrong;
+// nothing is ever written, and a value that is returned can be run.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scenarios/input_error.h"
+#include "scenarios/scenario.h"
+
+namespace dob {
+
+struct ScenarioInfo {
+  std::string name;
+  std::vector<std::string> variants;  // in the order of the file; empty when it has none
+  std::string summary;                // one line
+  std::filesystem::path path;
+};
+
+// The shipped ones, sorted by name.
+std::vector<ScenarioInfo> list_scenarios();
+std::vector<std::string> list_profiles();
+std::vector<std::string> list_gain_sets();  // in the order of config/gains.toml
+
+// What a user asks for. Layers, the later over the earlier: config/defaults.toml, the scenario's file, its
+// variant, the gain set, the planner, the overrides in their order. Tables are merged key by key, everything
+// else (arrays, so the list of disturbances) is replaced. A file or variant that chooses another robot starts
+// with no posture, as that names the joints of one robot.
+struct ScenarioRequest {
+  std::string name;          // "case1", "case1/knee_lateral", "dir/mine.toml" or "dir/mine.toml/VARIANT"
+  std::string gains = {};    // a gain set; "": the scenario's own [gains], else the set "paper"
+  std::string planner = {};  // planner.kind; "": the scenario's own
+  // `KEY=VALUE`: a dotted path (`sim.dt_s`, `disturbance.0.amplitude_N`; elements count from 0) and a TOML
+  // value; a string that is one word needs no quotes.
+  std::vector<std::string> overrides = {};
+};
+
+// One for each variant of the file, or the one that was asked for, or one with variant "" when the file has none.
+std::vector<Scenario> load_scenarios(const ScenarioRequest& request);
+
+// One of these scenarios as a merged document: a file that loads, whatever the shipped files have become, to
+// the same Scenario. `variant` as in the Scenario.
+std::string resolved_toml(const ScenarioRequest& request, std::string_view variant);
+
+// The observer `NAME` or `NAME:key=value,key=value` with the profile's options and routing, over which those of
+// the specification are laid (`routing.torque_36=false`, lists as `gains=1.0;2.0`). An observer that the profile
+// does not mention, or that estimates nothing, gets its built-in defaults and the profile "-". It is made once
+// for a tick of dt [s], so that what it refuses (unknown options, unstable gains) is refused here.
+ObserverConfig load_observer(std::string_view specification, const std::string& profile, double dt = SimOptions{}.dt);
+
+}  // namespace dob

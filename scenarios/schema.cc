@@ -1,0 +1,198 @@
+#include "scenarios/schema.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "scenarios/reader.h"
+
+namespace dob {
+namespace {
+
+// Ranges that several keys share: wide enough for any legged robot, narrow enough for a wrong unit to fall out.
+constexpr double kLongest = 1e5;                 // [s]
+constexpr Range kDuration = above(0.0, 10.0);    // [s] of parts of a footstep
+constexpr Range kFriction = between(0.0, 10.0);  // [-]
+constexpr Range kSoftness = between(0.0, 1.0);   // [-] or [1/kg]
+constexpr Range kGain = between(0.0, 1e6);
+constexpr Range kWeight = above(0.0, 1e16);
+constexpr Range kPlace = between(-1e4, 1e4);                                        // [m] in W
+constexpr Range kAngle = between(-2.0 * std::numbers::pi, 2.0 * std::numbers::pi);  // [rad]
+
+constexpr std::array<Choice<Forward>, 4> kForward{
+    {{"+x", Forward::kPlusX}, {"-x", Forward::kMinusX}, {"+y", Forward::kPlusY}, {"-y", Forward::kMinusY}}};
+constexpr std::array<Choice<int>, kLegs + 1> kMetricLegs{{{"all", -1}, {"LF", 0}, {"RF", 1}, {"LH", 2}, {"RH", 3}}};
+constexpr std::array<Choice<bool>, 1> kPlanners{{{"spline", true}}};
+
+// A path in a file is relative to that file; one on the command line to the working directory.
+std::filesystem::path absolute_path(const std::string& text, const Place& place) {
+  const std::filesystem::path base = place.line == 0 ? "" : std::filesystem::path(place.source).parent_path();
+  return std::filesystem::absolute(base / text).lexically_normal();
+}
+
+std::vector<const JointDescription*> joints_of(const RobotDescription& robot) {
+  std::vector<const JointDescription*> joints;
+  for (const LegDescription& leg : robot.legs) {
+    for (const JointDescription& joint : leg.joints) joints.push_back(&joint);
+  }
+  return joints;
+}
+
+// The robot comes first: its joints and feet give other keys their meaning.
+RobotDescription read_robot(Reader& r, RobotConfig& config) {
+  RobotDescription robot;
+  r.table("robot", [&](Reader& t) {
+    config.urdf = absolute_path(t.text("urdf"), t.place("urdf"));
+    config.forward = t.choice("forward", kForward);
+    try {
+      robot = load_robot(config.urdf, config.forward);
+    } catch (const DescriptionError& error) {
+      throw InputError(t.place("urdf"), "robot.urdf", error.what());
+    }
+    t.table("posture_rad", [&](Reader& p) {
+      for (const JointDescription* joint : joints_of(robot))
+        config.posture[joint->name] = p.number(joint->name, between(joint->lower, joint->upper));
+    });
+  });
+  return robot;
+}
+
+std::vector<PathSegment> read_path(Reader& r) {
+  std::vector<PathSegment> path;
+  r.each("path", [&](Reader& t) {
+    path.push_back({.duration = t.number("duration_s", above(0.0, kLongest)),
+                    .speed = t.number("speed_m_s", between(-10.0, 10.0)),
+                    .yaw_rate = t.number("yaw_rate_rad_s", between(-10.0, 10.0), 0.0)});
+  });
+  if (path.empty() && r.has("path")) r.refuse("path", "at least one [[path]] segment");
+  return path;
+}
+
+GaitOptions read_gait(Reader& r) {
+  GaitOptions gait;
+  r.table("gait", [&](Reader& t) {
+    gait.stance_duration = t.number("stance_s", kDuration);
+    gait.swing_duration = t.number("swing_s", kDuration);
+    gait.early_touchdown_window = t.number("early_touchdown_window_s", between(0.0, gait.swing_duration));
+    gait.touchdown_force = t.number("touchdown_force_N", above(0.0, 1e4));
+    gait.late_wait = t.number("late_wait_s", between(0.0, 10.0));
+  });
+  return gait;
+}
+
+PlannerOptions read_planner(Reader& r) {
+  constexpr Range kLength = above(0.0, 10.0);  // [m]
+  PlannerOptions planner;
+  r.table("planner", [&](Reader& t) {
+    t.choice("kind", kPlanners);
+    planner.com_height = t.number("com_height_m", kLength);
+    planner.foot_offset_x = t.number("foot_offset_x_m", kLength);
+    planner.foot_offset_y = t.number("foot_offset_y_m", kLength);
+    planner.velocity_feedback = t.number("velocity_feedback_s", between(0.0, 10.0));
+    planner.path_feedback = t.number("path_feedback", between(0.0, 1.0));
+    planner.max_path_correction = t.number("max_path_correction_m", between(0.0, 1.0));
+    planner.start_ramp = t.number("start_ramp_s", between(0.0, 60.0));
+    planner.swing.step_height = t.number("step_height_m", above(0.0, 1.0));
+    planner.swing.landing_offset = t.number("landing_offset_m", below(0.0, planner.swing.step_height));
+    planner.swing.descent_speed = t.number("descent_speed_m_s", above(0.0, 10.0));
+  });
+  return planner;
+}
+
+WbcOptions read_controller(Reader& r) {
+  WbcOptions wbc;
+  r.table("controller", [&](Reader& t) {
+    wbc.friction = t.number("friction", above(0.0, 10.0));
+    wbc.min_normal_force = t.number("min_normal_force_N", between(0.0, 1e4));
+    wbc.torque_limit = t.number("torque_limit_Nm", above(0.0, 1e4));
+    wbc.wrench_weight = t.number("wrench_weight", kWeight);
+    wbc.regularization = t.number("regularization", kWeight);
+    wbc.slack_weight = t.number("slack_weight", kWeight);
+    wbc.qp_rate = t.number("qp_rate_Hz", above(0.0, 1e5));
+  });
+  r.table("gains", [&](Reader& t) {
+    wbc.wrench_kp.head<3>() = t.vector_or_number("wrench_kp_linear_N_m", kGain);
+    wbc.wrench_kp.tail<3>() = t.vector_or_number("wrench_kp_angular_Nm_rad", kGain);
+    wbc.wrench_kd.head<3>() = t.vector_or_number("wrench_kd_linear_Ns_m", kGain);
+    wbc.wrench_kd.tail<3>() = t.vector_or_number("wrench_kd_angular_Nms_rad", kGain);
+    wbc.swing_kp = t.number("swing_kp_1_s2", kGain);
+    wbc.swing_kd = t.number("swing_kd_1_s", kGain);
+  });
+  return wbc;
+}
+
+SimOptions read_sim(Reader& r) {
+  SimOptions sim;
+  r.table("sim", [&](Reader& t) {
+    sim.dt = t.number("dt_s", between(1e-5, 0.01));
+    sim.erp = t.number("erp", kSoftness);
+    sim.cfm = t.number("cfm_1_kg", kSoftness);
+    sim.contact_erp = t.number("contact_erp", kSoftness);
+    sim.contact_cfm = t.number("contact_cfm_1_kg", kSoftness);
+    sim.gravity = t.number("gravity_m_s2", between(0.0, 100.0));
+    sim.robot_friction = t.number("robot_friction", kFriction);
+    sim.joint_stops = t.flag("joint_stops");
+  });
+  return sim;
+}
+
+Terrain read_terrain(Reader& r) {
+  Terrain terrain;
+  r.table("terrain", [&](Reader& t) {
+    terrain.ground_friction = t.number("ground_friction", kFriction);
+    t.each("boxes", [&](Reader& box) {
+      terrain.boxes.push_back({.center = box.vector("center_m", kPlace),
+                               .size = box.vector("size_m", above(0.0, 1e4)),
+                               .yaw_rad = box.number("yaw_rad", kAngle, 0.0),
+                               .friction = box.number("friction", kFriction)});
+    });
+  });
+  return terrain;
+}
+
+void read_trial(Reader& r, Scenario& s) {
+  r.table("noise", [&](Reader& t) {
+    s.noise.torque_relative = t.number("torque_relative", between(0.0, 10.0));
+    s.noise.foot_force_relative = t.number("foot_force_relative", between(0.0, 10.0));
+  });
+  r.table("fall", [&](Reader& t) {
+    s.fall.min_height_ratio = t.number("min_height_ratio", below(0.0, 1.0));
+    s.fall.max_tilt = t.number("max_tilt_rad", above(0.0, std::numbers::pi));
+  });
+  r.table("seeds", [&](Reader& t) {
+    s.seed_variation.gait_phase = t.number("gait_phase", between(0.0, 1.0));
+    s.seed_variation.position = t.number("position_m", between(0.0, 1.0));
+    s.seed_variation.velocity = t.number("velocity_m_s", between(0.0, 10.0));
+    s.seed_variation.disturbance_onset = t.number("disturbance_onset_s", between(0.0, kLongest));
+  });
+  const int leg = r.choice("metric_leg", kMetricLegs);
+  if (leg >= 0) s.metric_leg = static_cast<Leg>(leg);
+}
+
+}  // namespace
+
+Scenario read_scenario(const Node& document) {
+  Scenario s;
+  Reader::read(document, "", [&](Reader& r) {
+    s.summary = r.text("summary");
+    const RobotDescription robot = read_robot(r, s.robot);
+    s.path = read_path(r);
+    double length = 0.0;  // [s]
+    for (const PathSegment& segment : s.path) length += segment.duration;
+    s.duration = r.number("duration_s", above(0.0, kLongest), length);
+    s.gait = read_gait(r);
+    s.planner = read_planner(r);
+    s.controller = read_controller(r);
+    s.sim = read_sim(r);
+    s.terrain = read_terrain(r);
+    r.each("disturbance", [&](Reader& t) { s.disturbances.push_back(read_disturbance(t, robot)); });
+    read_trial(r, s);
+  });
+  return s;
+}
+
+}  // namespace dob

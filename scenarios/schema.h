@@ -1,0 +1,23 @@
+// From a merged document to a Scenario: which keys there are, their units and their ranges. The defaults are in
+// config/defaults.toml, which names every key.
+#pragma once
+
+#include "scenarios/document.h"
+#include "scenarios/scenario.h"
+
+namespace dob {
+
+class Reader;
+
+// Keys of the top level that a document has beside those of read_scenario(): who it is, and its variants.
+inline constexpr const char* kNameKey = "name";         // optional, "NAME" or "NAME/VARIANT"
+inline constexpr const char* kVariantsKey = "variant";  // table of tables of the same schema
+
+// Reads everything but name and variant; loads the robot's description, too, because points and postures are
+// checked against it. Throws InputError for the first thing that is wrong.
+Scenario read_scenario(const Node& document);
+
+// One [[disturbance]] of the document; the foot is the contact sphere's centre of `robot`.
+Disturbance read_disturbance(Reader& reader, const RobotDescription& robot);
+
+}  // namespace dob

@@ -1,0 +1,155 @@
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "observers/factory.h"
+#include "observers/momentum.h"
+#include "scenarios/loader.h"
+#include "test/scenarios/scratch_files.h"
+
+namespace dob {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr double kPi = 3.14159265358979323846;
+
+std::string error_of(const std::string& specification, const std::string& profile = "paper", double dt = 1e-3) {
+  try {
+    load_observer(specification, profile, dt);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+MomentumGains gains_of(const ObserverConfig& config) {
+  const MomentumOptions options = read_momentum_options(config.options);
+  return scale(options.gains, options.gain_scale);
+}
+
+TEST(Profiles, AreThePaperAndTheMatchedOne) {
+  EXPECT_THAT(list_profiles(), ElementsAre("matched", "paper"));
+}
+
+TEST(Profiles, LoadForEveryObserver) {
+  for (const ObserverInfo& info : built_in_observers()) {
+    for (const std::string& profile : list_profiles()) {
+      EXPECT_EQ(error_of(std::string(info.name), profile), "no error") << info.name << " " << profile;
+    }
+  }
+}
+
+TEST(Profiles, OfThePaperHasItsGainsInTheStableOrderAndItsRouting) {
+  const ObserverConfig config = load_observer("momentum", "paper");
+  EXPECT_EQ(config.observer, "momentum");
+  EXPECT_EQ(config.profile, "paper");
+  EXPECT_THAT(gains_of(config).K, ElementsAre(2.25, 6.28, 17.5));
+  EXPECT_NEAR(bandwidth(gains_of(config)) / (2.0 * kPi), 0.573, 0.0005);  // the figure its comment states
+  EXPECT_TRUE(config.routing.wrench_17);
+  EXPECT_FALSE(config.routing.dynamics_18);
+  EXPECT_TRUE(config.routing.torque_36);
+  EXPECT_EQ(config.routing.swing_31, Routing::Swing::kProjected);
+}
+
+TEST(Profiles, MatchedHasTwentyTimesTheBandwidth) {
+  const ObserverConfig config = load_observer("momentum", "matched");
+  EXPECT_EQ(config.profile, "matched");
+  EXPECT_NEAR(bandwidth(gains_of(config)) / (2.0 * kPi), 11.5, 0.05);
+  EXPECT_TRUE(config.routing.torque_36);
+}
+
+TEST(Profiles, SayNothingAboutNoObserver) {
+  const ObserverConfig config = load_observer("none", "paper");
+  EXPECT_EQ(config.profile, "-");
+  EXPECT_TRUE(config.options.empty());
+}
+
+TEST(LoadObserver, LaysTheSpecificationOverTheProfile) {
+  const ObserverConfig config = load_observer(
+      "momentum:gains=1.0;2.5,coriolis=neglected,routing.torque_36=false,routing.swing_31=direct", "matched");
+  const MomentumOptions options = read_momentum_options(config.options);
+  EXPECT_THAT(options.gains.K, ElementsAre(1.0, 2.5));
+  EXPECT_EQ(options.gain_scale, 20.0);  // still the profile's
+  EXPECT_EQ(options.coriolis, Coriolis::kNeglected);
+  EXPECT_FALSE(config.routing.torque_36);
+  EXPECT_TRUE(config.routing.wrench_17);
+  EXPECT_EQ(config.routing.swing_31, Routing::Swing::kDirect);
+}
+
+TEST(LoadObserver, RefusesThePrintedOrderOfTheGainsWithTheReason) {
+  EXPECT_THAT(error_of("momentum:gains=17.5;6.28;2.25"), AllOf(StartsWith("--observer momentum:gains=17.5;6.28;2.25: "),
+                                                               HasSubstr("gains"), HasSubstr("unstable")));
+  EXPECT_EQ(error_of("momentum:gains=17.5;6.28;2.25,allow_unstable=true"), "no error");
+}
+
+TEST(LoadObserver, RefusesGainsThatAreUnstableAtTheTick) {
+  EXPECT_EQ(error_of("momentum", "matched", 1e-3), "no error");
+  EXPECT_THAT(error_of("momentum", "matched", 1e-2), HasSubstr("unstable"));
+  EXPECT_THAT(error_of("momentum:gain_scale=200"), HasSubstr("unstable"));
+}
+
+TEST(LoadObserver, RefusesWhatItDoesNotKnow) {
+  EXPECT_EQ(error_of("magic"), "--observer magic: there is no observer 'magic'; there are: none, momentum");
+  EXPECT_EQ(error_of(""), "--observer : there is no observer ''; there are: none, momentum");
+  EXPECT_EQ(error_of("momentum", "mine"), "--profile: there is no 'mine'; there are: matched, paper");
+  EXPECT_THAT(error_of("momentum:gian_scale=2"), AllOf(StartsWith("--observer momentum:gian_scale=2: "),
+                                                       HasSubstr("gian_scale"), HasSubstr("no such option")));
+  EXPECT_THAT(error_of("momentum:order"), HasSubstr("'order'; allowed: KEY=VALUE"));
+  EXPECT_THAT(error_of("momentum:gain_scale=fast"), HasSubstr("allowed is a number"));
+  EXPECT_THAT(error_of("none:gains=1"), HasSubstr("no such option"));
+}
+
+TEST(LoadObserver, RefusesRoutingThatDoesNotExist) {
+  EXPECT_EQ(error_of("momentum:routing.torque_63=true"),
+            "--observer momentum:routing.torque_63=true momentum.routing.torque_63: "
+            "unknown key 'torque_63'; did you mean 'torque_36'?");
+  EXPECT_THAT(error_of("momentum:routing.torque_36=1"),
+              HasSubstr("momentum.routing.torque_36: 1; allowed: true or false"));
+  EXPECT_THAT(error_of("momentum:routing.swing_31=some"),
+              HasSubstr("\"some\"; allowed: one of off, projected, direct"));
+  EXPECT_THAT(error_of("none:routing.torque_36=true"),
+              HasSubstr("none.routing: this observer estimates nothing that could be routed"));
+}
+
+class OwnProfile : public testing::Test {
+ protected:
+  void SetUp() override { setenv("DOBBENCH_SCENARIOS", files_.directory().c_str(), 1); }
+  void TearDown() override { unsetenv("DOBBENCH_SCENARIOS"); }
+
+  std::string error_in(const std::string& text, const std::string& specification = "momentum") {
+    files_.write("config/profiles/own.toml", text);
+    return error_of(specification, "own");
+  }
+
+  ScratchFiles files_;
+  const std::string path_ = (files_.directory() / "config/profiles/own.toml").string();
+};
+
+TEST_F(OwnProfile, ThatDoesNotMentionAnObserverLeavesItItsDefaults) {
+  EXPECT_EQ(error_in(""), "no error");
+  const ObserverConfig config = load_observer("momentum:gain_scale=2", "own");
+  EXPECT_EQ(config.profile, "-");
+  EXPECT_THAT(gains_of(config).K, ElementsAre(4.5, 12.56, 35.0));
+  EXPECT_EQ(config.routing.dynamics_18, Routing{}.dynamics_18);
+}
+
+TEST_F(OwnProfile, IsRefusedAtItsLine) {
+  EXPECT_EQ(error_in("\n[momentun]\n"), path_ + ":2:2: there is no observer 'momentun'; there are: none, momentum");
+  EXPECT_EQ(error_in("[none]\n"),
+            path_ + ":1:2: none: this observer estimates nothing; a profile has nothing to say about it");
+  EXPECT_EQ(error_in("momentum = 1\n"), path_ + ":1:1: momentum: 1; allowed: a table");
+  EXPECT_EQ(error_in("[momentum]\ngains = [1, \"x\"]\n"),
+            path_ + ":2:1: momentum.gains: [1, \"x\"]; allowed: true, false, a number, a text, a list of numbers");
+  EXPECT_THAT(error_in("[momentum]\ngain = 1\n"), AllOf(StartsWith(path_ + ":1:2: "), HasSubstr("option gain")));
+  EXPECT_EQ(error_in("[momentum.routing]\ntorque_36 = \"yes\"\n"),
+            path_ + ":2:1: momentum.routing.torque_36: \"yes\"; allowed: true or false");
+  EXPECT_THAT(error_in("[momentum\n"), StartsWith(path_ + ":1:10: "));
+}
+
+}  // namespace
+}  // namespace dob
