@@ -85,18 +85,14 @@ TEST(GoldfarbIdnaniRandom, AgreesWithAlglib) {
   Solver solver;
   Solver::Solution solution;
   double worst = 0.0;
-  int compared = 0;
   for (int draw = 0; draw < 1000; ++draw) {
     const auto known = random.known(44, random.integer(0, 11), random.log_uniform(1.0, 1e3));
     ASSERT_EQ(solver.solve(known.qp, solution), QpStatus::kOptimal);
     const auto reference = AlglibQp(dense(known.qp)).solve_reference();
     ASSERT_TRUE(reference.has_value());
     worst = std::max(worst, (solution.x - *reference).norm());
-    ++compared;
   }
-  std::printf("worst %.3e\n", worst);
-  EXPECT_LE(worst, 1e-4);
-  EXPECT_EQ(compared, 1000);
+  EXPECT_LE(worst, 1e-6);
 }
 
 // What came out of a hostile sweep.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "controller/qp.h"
 
@@ -13,12 +14,16 @@ namespace dob::test {
 class ScaledResidual {
  public:
   void add(long double residual, long double term) {
-    residual_ = std::max(residual_, std::isnan(residual) ? std::numeric_limits<long double>::infinity() : residual);
+    broken_ = broken_ || std::isnan(residual);
+    residual_ = std::max(residual_, residual);
     term_ = std::max(term_, std::abs(term));
   }
-  double value() const { return static_cast<double>(residual_ / term_); }
+  double value() const {
+    return broken_ ? std::numeric_limits<double>::infinity() : static_cast<double>(residual_ / term_);
+  }
 
  private:
+  bool broken_ = false;
   long double residual_ = 0.0L;
   long double term_ = 1.0L;
 };
