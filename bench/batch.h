@@ -9,10 +9,10 @@ namespace dob {
 
 struct BatchOptions {
   int jobs = 1;
-  double timeout_s = 0.0;             // [s] wall time for one cell; 0: none
-  std::filesystem::path out;          // run directory; empty: ./dobbench-results/NNNN
-  bool log_csv = false;               // every tick of every cell as logs/CELL.csv
-  bool progress = false;              // a progress line on stderr
+  double timeout_s = 0.0;     // [s] wall time for one cell; 0: none
+  std::filesystem::path out;  // run directory; empty: ./dobbench-results/NNNN
+  bool log_csv = false;       // every tick of every cell as logs/CELL.csv
+  bool progress = false;      // a progress line on stderr
   std::string command_line;
 };
 

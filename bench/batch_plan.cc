@@ -31,8 +31,8 @@ void require_runnable(const Scenario& scenario) {
   try {
     const Trial trial(scenario, {.observer = "none", .profile = "-", .options = {}, .routing = {}}, 1);
   } catch (const std::exception& error) {
-    throw InputError(fmt::format("{}{}{}: {}", scenario.name, scenario.variant.empty() ? "" : "/", scenario.variant,
-                                 error.what()));
+    throw InputError(
+        fmt::format("{}{}{}: {}", scenario.name, scenario.variant.empty() ? "" : "/", scenario.variant, error.what()));
   }
 }
 
@@ -49,16 +49,16 @@ BatchPlan plan_batch(const BatchRequest& request) {
       const ScenarioRequest wanted{name, gains, request.planner, request.overrides};
       for (const Scenario& scenario : load_scenarios(wanted)) {
         require_runnable(scenario);
-        const std::string file = fmt::format("{}{}{}_{}", scenario.name, scenario.variant.empty() ? "" : "_",
-                                             scenario.variant, gains);
+        const std::string file =
+            fmt::format("{}{}{}_{}", scenario.name, scenario.variant.empty() ? "" : "_", scenario.variant, gains);
         plan.resolved.push_back({file, resolved_toml(wanted, scenario.variant)});
         plan.scenarios.push_back(scenario);
         for (const std::string& specification : or_all_observers(request.observers)) {
           for (const std::string& profile : profiles) {
             const ObserverConfig observer = load_observer(specification, profile, scenario.sim.dt);
             for (int seed = request.first_seed; seed <= request.last_seed; ++seed) {
-              const CellKey key{scenario.name, scenario.variant, specification, observer.profile,
-                                gains,         scenario.planner_kind, overrides, seed};
+              const CellKey key{scenario.name, scenario.variant,      specification, observer.profile,
+                                gains,         scenario.planner_kind, overrides,     seed};
               if (!planned.insert(key).second) continue;
               plan.cells.push_back({key, plan.scenarios.size() - 1, observer});
             }

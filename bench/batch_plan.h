@@ -28,9 +28,9 @@ struct PlannedCell {
 };
 
 struct BatchPlan {
-  std::vector<Scenario> scenarios;           // one for each scenario, variant and gain set
-  std::vector<ResolvedScenario> resolved;    // their resolved files, for the run directory
-  std::vector<PlannedCell> cells;            // in the order of the tables; no cell twice
+  std::vector<Scenario> scenarios;         // one for each scenario, variant and gain set
+  std::vector<ResolvedScenario> resolved;  // their resolved files, for the run directory
+  std::vector<PlannedCell> cells;          // in the order of the tables; no cell twice
 };
 
 // Throws InputError for the first thing that cannot be run.

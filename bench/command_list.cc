@@ -61,7 +61,9 @@ Command add_list_command(CLI::App& app) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("list", "what there is to run");
-  command->add_option("what", arguments->what, "scenarios, observers, profiles (with gain sets) or solvers; all by default")
+  command
+      ->add_option("what", arguments->what,
+                   "scenarios, observers, profiles (with gain sets) or solvers; all by default")
       ->check(CLI::IsMember({"scenarios", "observers", "profiles", "solvers"}));
   command->add_flag("--json", arguments->json, "as JSON");
   return [arguments] {

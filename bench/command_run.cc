@@ -2,9 +2,9 @@
 #include <cstdio>
 #include <memory>
 #include <thread>
+#include <unistd.h>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "bench/batch.h"
 #include "bench/commands.h"

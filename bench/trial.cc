@@ -103,8 +103,8 @@ bool Trial::tick() {
 
 void Trial::observe(const SensorReading& reading) noexcept {
   for (int l = 0; l < kLegs; ++l) foot_force_.segment<3>(3 * l) = reading.foot_force_W[l];
-  estimate_ = observer_->update(
-      {*start_, *now_, reading.joint_torque, foot_force_, controller_.stance(), scenario_.sim.dt});
+  estimate_ =
+      observer_->update({*start_, *now_, reading.joint_torque, foot_force_, controller_.stance(), scenario_.sim.dt});
 }
 
 CellResult Trial::run(const Sink& sink) {

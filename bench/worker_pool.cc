@@ -6,17 +6,17 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <system_error>
-#include <utility>
-#include <vector>
-
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/signalfd.h>
 #include <sys/wait.h>
+#include <system_error>
 #include <unistd.h>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
 
 namespace dob {
 namespace {
@@ -150,7 +150,8 @@ bool receive(Worker& worker) {
 
 }  // namespace
 
-int run_in_processes(std::size_t count, const WorkerOptions& options, const std::function<std::string(std::size_t)>& task,
+int run_in_processes(std::size_t count, const WorkerOptions& options,
+                     const std::function<std::string(std::size_t)>& task,
                      const std::function<void(std::size_t, const TaskOutcome&)>& done) {
   constexpr int kPollInterval = 100;  // [ms] how often time limits are looked at
   const StopSignals signals;

@@ -15,13 +15,14 @@ struct TaskOutcome {
 };
 
 struct WorkerOptions {
-  int jobs = 1;                  // processes at a time
-  double timeout_s = 0.0;        // [s] of wall time for one task; 0: none
+  int jobs = 1;            // processes at a time
+  double timeout_s = 0.0;  // [s] of wall time for one task; 0: none
 };
 
 // Calls `task(i)` for i = 0 ... count - 1 in child processes and `done(i, outcome)` in this one, in the order in which
 // the tasks end. On SIGINT or SIGTERM the children are ended, and the number of the signal is returned; 0 otherwise.
-int run_in_processes(std::size_t count, const WorkerOptions& options, const std::function<std::string(std::size_t)>& task,
+int run_in_processes(std::size_t count, const WorkerOptions& options,
+                     const std::function<std::string(std::size_t)>& task,
                      const std::function<void(std::size_t, const TaskOutcome&)>& done);
 
 }  // namespace dob

@@ -53,7 +53,8 @@ Compensation compensate(const ModelTerms& m, const PerLeg<LegPoint>& points, con
     const Vec12 tip_force = J_j_inverse.transpose() * estimate.leg_torque;
     Vec12 stance_force = Vec12::Zero();
     Vec12 swing_force = Vec12::Zero();
-    for (int l = 0; l < kLegs; ++l) (stance[l] ? stance_force : swing_force).segment<3>(3 * l) = tip_force.segment<3>(3 * l);
+    for (int l = 0; l < kLegs; ++l)
+      (stance[l] ? stance_force : swing_force).segment<3>(3 * l) = tip_force.segment<3>(3 * l);
     if (!estimate.has_com) wrench = com_wrench(m, points, stance_force);
     if (routing.torque_36) c.torque += joint_torques(m, points, stance_force);
     if (routing.swing_31 == Routing::Swing::kDirect) c.torque += joint_torques(m, points, swing_force);

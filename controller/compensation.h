@@ -11,14 +11,14 @@ struct DisturbanceEstimate {
   bool has_legs = false;
   Vec12 leg_torque = Vec12::Zero();  // [N m] F_hat of eq (4)
   bool has_com = false;
-  Vec6 com_wrench = Vec6::Zero();    // [N; N m] about the CoM
+  Vec6 com_wrench = Vec6::Zero();  // [N; N m] about the CoM
 };
 
 struct Compensation {
-  Vec6 wrench = Vec6::Zero();               // [N; N m] estimated disturbance wrench in (17)
-  Vec6 dynamics = Vec6::Zero();             // [N; N m] the same in (18)
-  Vec12 swing_acceleration = Vec12::Zero(); // [m/s^2] what (31) subtracts; zero for standing legs
-  Vec12 torque = Vec12::Zero();             // [N m] subtracted from (36)
+  Vec6 wrench = Vec6::Zero();                // [N; N m] estimated disturbance wrench in (17)
+  Vec6 dynamics = Vec6::Zero();              // [N; N m] the same in (18)
+  Vec12 swing_acceleration = Vec12::Zero();  // [m/s^2] what (31) subtracts; zero for standing legs
+  Vec12 torque = Vec12::Zero();              // [N m] subtracted from (36)
 };
 
 // Points at which the feet's forces and tasks act: the contact point of a standing leg, the sphere centre of a

@@ -22,8 +22,8 @@ void require(bool ok, const char* name, double value, const char* allowed) {
 GaitScheduler::GaitScheduler(const GaitOptions& o) : options_(o) {
   require(o.stance_duration > 0.0, "stance_s", o.stance_duration, "> 0");
   require(o.swing_duration > 0.0, "swing_s", o.swing_duration, "> 0");
-  require(o.early_touchdown_window >= 0.0 && o.early_touchdown_window <= o.swing_duration,
-          "early_touchdown_window_s", o.early_touchdown_window, "0 to swing_s");
+  require(o.early_touchdown_window >= 0.0 && o.early_touchdown_window <= o.swing_duration, "early_touchdown_window_s",
+          o.early_touchdown_window, "0 to swing_s");
   require(o.touchdown_force > 0.0, "touchdown_force_N", o.touchdown_force, "> 0");
   require(o.late_wait >= 0.0, "late_wait_s", o.late_wait, ">= 0");
   reset();

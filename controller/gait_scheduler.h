@@ -7,23 +7,23 @@
 namespace dob {
 
 struct GaitOptions {
-  double stance_duration = 0.15;          // [s] all feet down, section 5.1
-  double swing_duration = 0.115;          // [s] T_sw, section 5.1
-  double early_touchdown_window = 0.05;   // [s] last part of a swing in which a contact counts as touchdown
-  double touchdown_force = 5.0;           // [N] norm of the measured ground reaction force
-  double late_wait = 0.1;                 // [s] how long a lift-off waits for a late foot
+  double stance_duration = 0.15;         // [s] all feet down, section 5.1
+  double swing_duration = 0.115;         // [s] T_sw, section 5.1
+  double early_touchdown_window = 0.05;  // [s] last part of a swing in which a contact counts as touchdown
+  double touchdown_force = 5.0;          // [N] norm of the measured ground reaction force
+  double late_wait = 0.1;                // [s] how long a lift-off waits for a late foot
 };
 
 enum class LegPhase { kStance, kSwing, kLate /* swing time is over, no ground yet: keeps descending */ };
 
 struct GaitState {
-  PerLeg<LegPhase> phase{};            // all kStance at the start
-  PerLeg<double> swing_time{};         // [s] since lift-off, for legs in kSwing and kLate
-  bool footstep_begins = false;        // this tick starts a new footstep: plan now
-  PerLeg<bool> lift_off{};             // this leg leaves the ground at this tick
-  PerLeg<bool> touchdown{};            // this leg landed at this tick
-  PerLeg<bool> next_swing{};           // the pair that swings (or is about to) in the present footstep
-  double footstep_time = 0.0;          // [s] since the footstep began
+  PerLeg<LegPhase> phase{};      // all kStance at the start
+  PerLeg<double> swing_time{};   // [s] since lift-off, for legs in kSwing and kLate
+  bool footstep_begins = false;  // this tick starts a new footstep: plan now
+  PerLeg<bool> lift_off{};       // this leg leaves the ground at this tick
+  PerLeg<bool> touchdown{};      // this leg landed at this tick
+  PerLeg<bool> next_swing{};     // the pair that swings (or is about to) in the present footstep
+  double footstep_time = 0.0;    // [s] since the footstep began
 
   bool stands(int leg) const noexcept { return phase[leg] == LegPhase::kStance; }
 };

@@ -15,7 +15,9 @@ void require(bool ok, const char* name, double value, const char* allowed) {
   }
 }
 
-Mat3 heading(double yaw) noexcept { return Eigen::AngleAxisd(yaw, Vec3::UnitZ()).toRotationMatrix(); }
+Mat3 heading(double yaw) noexcept {
+  return Eigen::AngleAxisd(yaw, Vec3::UnitZ()).toRotationMatrix();
+}
 
 }  // namespace
 
@@ -67,8 +69,8 @@ void MotionPlanner::plan_footstep(double t, const GaitState& gait, const ModelTe
 
   Vec2 correction = options_.path_feedback * (mid.p - center);
   if (correction.norm() > options_.max_path_correction) correction *= options_.max_path_correction / correction.norm();
-  const Vec2 next_center = center + ramp * (next_mid.p - mid.p) + correction +
-                           options_.velocity_feedback * (m.v_c.head<2>() - velocity);
+  const Vec2 next_center =
+      center + ramp * (next_mid.p - mid.p) + correction + options_.velocity_feedback * (m.v_c.head<2>() - velocity);
   const Mat3 R = heading(next_mid.yaw);
   for (int l = 0; l < kLegs; ++l) {
     if (!gait.next_swing[l]) continue;
@@ -90,7 +92,8 @@ const MotionReference& MotionPlanner::update(double t, const GaitState& gait, co
     }
     if (!gait.stands(l)) reference_.foot[l] = swing_[l].at(gait.swing_time[l]);
   }
-  reference_.com = cubic_at<Vec3>(t - com_start_time_, com_duration_, com_start_.p, com_start_.v, com_end_.p, com_end_.v);
+  reference_.com =
+      cubic_at<Vec3>(t - com_start_time_, com_duration_, com_start_.p, com_start_.v, com_end_.p, com_end_.v);
   const PathPoint now = path_.at(t);
   reference_.R_WB = heading(now.yaw);
   reference_.omega = Vec3(0.0, 0.0, now.yaw_rate);

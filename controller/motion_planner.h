@@ -18,23 +18,23 @@
 namespace dob {
 
 struct PlannerOptions {
-  double com_height = 0.40;          // [m] above the expected ground
-  double foot_offset_x = 0.287;      // [m] nominal foot position from the CoM, longitudinal
-  double foot_offset_y = 0.187;      // [m] lateral
-  double velocity_feedback = 0.1;    // [s] foothold shift per CoM velocity error
-  double path_feedback = 0.1;        // [-] foothold shift per distance of the supporting diagonal from the path
-  double max_path_correction = 0.02; // [m] largest such shift per footstep
-  double start_ramp = 0.5;           // [s] from marching on the spot to the path's speed; path feedback makes up for it
+  double com_height = 0.40;           // [m] above the expected ground
+  double foot_offset_x = 0.287;       // [m] nominal foot position from the CoM, longitudinal
+  double foot_offset_y = 0.187;       // [m] lateral
+  double velocity_feedback = 0.1;     // [s] foothold shift per CoM velocity error
+  double path_feedback = 0.1;         // [-] foothold shift per distance of the supporting diagonal from the path
+  double max_path_correction = 0.02;  // [m] largest such shift per footstep
+  double start_ramp = 0.5;  // [s] from marching on the spot to the path's speed; path feedback makes up for it
   SwingOptions swing;
 };
 
 // What the whole-body controller shall track at this tick.
 struct MotionReference {
-  Motion<Vec3> com;                    // [m, m/s, m/s^2]
-  Mat3 R_WB;                           // trunk attitude
-  Vec3 omega;                          // [rad/s]
-  PerLeg<Motion<Vec3>> foot;           // sphere centre; meaningful for legs that do not stand
-  PerLeg<Vec3> foothold;               // [m] planned sphere centre at the last (or present) landing, on the ground
+  Motion<Vec3> com;           // [m, m/s, m/s^2]
+  Mat3 R_WB;                  // trunk attitude
+  Vec3 omega;                 // [rad/s]
+  PerLeg<Motion<Vec3>> foot;  // sphere centre; meaningful for legs that do not stand
+  PerLeg<Vec3> foothold;      // [m] planned sphere centre at the last (or present) landing, on the ground
 };
 
 class MotionPlanner {

@@ -13,9 +13,9 @@ ReferencePath::ReferencePath(const std::vector<PathSegment>& segments) {
   for (const PathSegment& segment : segments) {
     if (!(segment.duration > 0.0) || !std::isfinite(segment.duration) || !std::isfinite(segment.speed) ||
         !std::isfinite(segment.yaw_rate)) {
-      throw std::invalid_argument(fmt::format(
-          "path: segment of {} s at {} m/s, {} rad/s; the duration must be positive and all three finite",
-          segment.duration, segment.speed, segment.yaw_rate));
+      throw std::invalid_argument(
+          fmt::format("path: segment of {} s at {} m/s, {} rad/s; the duration must be positive and all three finite",
+                      segment.duration, segment.speed, segment.yaw_rate));
     }
     piece.speed = segment.speed;
     piece.yaw_rate = segment.yaw_rate;

@@ -15,10 +15,10 @@ struct PathSegment {
 };
 
 struct PathPoint {
-  Vec2 p;            // [m] in W
-  double yaw;        // [rad] heading, 0 along x of W
-  Vec2 v;            // [m/s] in W
-  double yaw_rate;   // [rad/s]
+  Vec2 p;           // [m] in W
+  double yaw;       // [rad] heading, 0 along x of W
+  Vec2 v;           // [m/s] in W
+  double yaw_rate;  // [rad/s]
 };
 
 class ReferencePath {

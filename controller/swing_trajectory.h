@@ -9,9 +9,9 @@
 namespace dob {
 
 struct SwingOptions {
-  double step_height = 0.05;     // [m] above the higher of lift-off and landing, section 5.1
-  double landing_offset = 0.008; // [m] landing target BELOW the expected ground: zero gives late touchdowns
-  double descent_speed = 0.15;   // [m/s] of a late foot
+  double step_height = 0.05;      // [m] above the higher of lift-off and landing, section 5.1
+  double landing_offset = 0.008;  // [m] landing target BELOW the expected ground: zero gives late touchdowns
+  double descent_speed = 0.15;    // [m/s] of a late foot
 };
 
 class SwingTrajectory {

@@ -25,9 +25,8 @@ bool WholeBodyQp::assemble(const ModelTerms& m, const PerLeg<bool>& stance, cons
   return problem_.H.allFinite() && problem_.g.allFinite();
 }
 
-void WholeBodyQp::assemble_maps(const ModelTerms& m, const MotionReference& reference,
-                                const Compensation& compensation, const PerLeg<LegPoint>& points,
-                                const Mat12& J_j_inverse) noexcept {
+void WholeBodyQp::assemble_maps(const ModelTerms& m, const MotionReference& reference, const Compensation& compensation,
+                                const PerLeg<LegPoint>& points, const Mat12& J_j_inverse) noexcept {
   wrench_map_.setZero();
   Vec12 target = -acceleration_bias(m, points);  // e of the header at delta = 0
   for (int l = 0; l < kLegs; ++l) {

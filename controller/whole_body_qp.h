@@ -26,9 +26,9 @@ using WbcQpSolution = QpSolution<kWbcVariables, kWbcMaxRows>;
 
 // zeta of (12) and what the tick needs of it.
 struct WbcSolution {
-  Vec6 rdd_c = Vec6::Zero();           // [m/s^2; rad/s^2] I_c^-1 L_dot in the angular part
-  Vec12 qdd = Vec12::Zero();           // [rad/s^2]
-  Vec12 foot_force = Vec12::Zero();    // [N] ground reaction forces, zero for swinging feet
+  Vec6 rdd_c = Vec6::Zero();             // [m/s^2; rad/s^2] I_c^-1 L_dot in the angular part
+  Vec12 qdd = Vec12::Zero();             // [rad/s^2]
+  Vec12 foot_force = Vec12::Zero();      // [N] ground reaction forces, zero for swinging feet
   Vec12 tracking_error = Vec12::Zero();  // [m/s^2] delta, zero for standing feet
 };
 
@@ -59,11 +59,11 @@ class WholeBodyQp {
   WbcOptions options_;
   WbcProblem problem_;
   PerLeg<bool> stance_{};
-  int torque_row_ = 0;       // first of the 12 torque rows
-  Mat6x12 wrench_map_;       // J_st,com^T x
-  Mat6x12 rdd_map_;          // rdd_c = rdd_0 + rdd_map x
+  int torque_row_ = 0;  // first of the 12 torque rows
+  Mat6x12 wrench_map_;  // J_st,com^T x
+  Mat6x12 rdd_map_;     // rdd_c = rdd_0 + rdd_map x
   Vec6 rdd_0_;
-  Mat12 qdd_map_;            // qdd = qdd_0 + qdd_map x
+  Mat12 qdd_map_;  // qdd = qdd_0 + qdd_map x
   Vec12 qdd_0_;
 };
 

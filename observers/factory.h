@@ -23,7 +23,6 @@ std::span<const ObserverInfo> built_in_observers() noexcept;
 
 // The observer of that name, ready for ticks of dt [s]. Throws OptionError: no such observer (what() lists
 // those there are), or an option that it does not take.
-std::unique_ptr<DisturbanceObserver> make_observer(std::string_view name, const ObserverOptions& options,
-                                                   double dt);
+std::unique_ptr<DisturbanceObserver> make_observer(std::string_view name, const ObserverOptions& options, double dt);
 
 }  // namespace dob

@@ -16,8 +16,7 @@
 namespace dob {
 
 inline constexpr int kMaxMomentumOrder = 8;
-using MomentumMatrix =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxMomentumOrder, kMaxMomentumOrder>;
+using MomentumMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxMomentumOrder, kMaxMomentumOrder>;
 using MomentumVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxMomentumOrder, 1>;
 
 // Same gains for every joint. All functions below need check_gains() to be empty.

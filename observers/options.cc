@@ -45,9 +45,7 @@ struct Formatter {
   std::string operator()(bool value) const { return value ? "true" : "false"; }
   std::string operator()(double value) const { return fmt::format("{}", value); }
   std::string operator()(const std::string& value) const { return fmt::format("\"{}\"", value); }
-  std::string operator()(const std::vector<double>& value) const {
-    return fmt::format("{}", fmt::join(value, ";"));
-  }
+  std::string operator()(const std::vector<double>& value) const { return fmt::format("{}", fmt::join(value, ";")); }
 };
 
 }  // namespace
@@ -110,8 +108,8 @@ std::string OptionReader::choice(const std::string& key, std::initializer_list<s
   throw OptionError(observer_, key, *value, fmt::format("allowed is one of {}", fmt::join(allowed, ", ")));
 }
 
-std::vector<double> OptionReader::list(const std::string& key, std::vector<double> fallback,
-                                       NumberRange range, int max_size) {
+std::vector<double> OptionReader::list(const std::string& key, std::vector<double> fallback, NumberRange range,
+                                       int max_size) {
   const OptionValue* value = find(key);
   if (value == nullptr) return fallback;
   std::vector<double> list;

@@ -27,8 +27,7 @@ std::string format_option_value(const OptionValue& value);
 // An option that cannot be used. what() names the observer, the option, its value and what is allowed.
 class OptionError : public std::runtime_error {
  public:
-  OptionError(std::string_view observer, std::string_view key, const OptionValue& value,
-              std::string_view allowed);
+  OptionError(std::string_view observer, std::string_view key, const OptionValue& value, std::string_view allowed);
   explicit OptionError(const std::string& message) : std::runtime_error(message) {}
 };
 
@@ -42,16 +41,14 @@ struct NumberRange {
 // another type or out of range throws OptionError. Call refuse_unknown() after the last key.
 class OptionReader {
  public:
-  OptionReader(std::string_view observer, const ObserverOptions& options)
-      : observer_(observer), options_(options) {}
+  OptionReader(std::string_view observer, const ObserverOptions& options) : observer_(observer), options_(options) {}
 
   bool flag(const std::string& key, bool fallback);
   double number(const std::string& key, double fallback, NumberRange range);
   int integer(const std::string& key, int fallback, int min, int max);
   std::string choice(const std::string& key, std::initializer_list<std::string_view> allowed);
   // A single number counts as a list of one.
-  std::vector<double> list(const std::string& key, std::vector<double> fallback, NumberRange range,
-                           int max_size);
+  std::vector<double> list(const std::string& key, std::vector<double> fallback, NumberRange range, int max_size);
 
   // Throws OptionError on the first key that nobody has asked for.
   void refuse_unknown() const;

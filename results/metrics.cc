@@ -66,9 +66,9 @@ void MetricsAccumulator::add(const TickRecord& tick) noexcept {
 }
 
 void MetricsAccumulator::add_force_errors(const TickRecord& tick) noexcept {
-  for (int leg = 0; leg < kLegs; ++leg) {
+  for (Eigen::Index leg = 0; leg < kLegs; ++leg) {
     if (!tick.stance[static_cast<std::size_t>(leg)]) continue;
-    if (metric_leg_ && static_cast<int>(*metric_leg_) != leg) continue;
+    if (metric_leg_ && static_cast<Eigen::Index>(*metric_leg_) != leg) continue;
     grf_error_.add((tick.foot_force_commanded.segment<3>(3 * leg) - tick.foot_force.segment<3>(3 * leg)).norm());
   }
 }

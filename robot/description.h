@@ -25,20 +25,20 @@ struct LinkInertia {
 struct CollisionShape {
   enum class Kind { kBox, kCylinder, kSphere };
   Kind kind = Kind::kBox;
-  Vec3 size = Vec3::Zero();         // [m] box: full edges; cylinder: radius, length (along z), unused; sphere: radius
-  Vec3 position = Vec3::Zero();     // [m] centre, in the link frame
-  Mat3 rotation = Mat3::Identity(); // shape axes to link axes
+  Vec3 size = Vec3::Zero();          // [m] box: full edges; cylinder: radius, length (along z), unused; sphere: radius
+  Vec3 position = Vec3::Zero();      // [m] centre, in the link frame
+  Mat3 rotation = Mat3::Identity();  // shape axes to link axes
 };
 
 // Revolute joint; its frame is the frame of the link it moves.
 struct JointDescription {
   std::string name;
-  Vec3 origin = Vec3::Zero();    // [m] in the parent link's frame
-  Vec3 axis = Vec3::UnitX();     // unit vector, same components in parent and child at any angle
-  double lower = 0.0;            // [rad]
-  double upper = 0.0;            // [rad]
-  double effort_limit = 0.0;     // [N m]
-  double velocity_limit = 0.0;   // [rad/s]
+  Vec3 origin = Vec3::Zero();   // [m] in the parent link's frame
+  Vec3 axis = Vec3::UnitX();    // unit vector, same components in parent and child at any angle
+  double lower = 0.0;           // [rad]
+  double upper = 0.0;           // [rad]
+  double effort_limit = 0.0;    // [N m]
+  double velocity_limit = 0.0;  // [rad/s]
 };
 
 struct LinkDescription {
@@ -56,7 +56,7 @@ struct LegDescription {
 
 struct RobotDescription {
   std::string name;
-  LinkDescription trunk;      // its frame is B
+  LinkDescription trunk;  // its frame is B
   PerLeg<LegDescription> legs;
   Mat3 R_description_B = Mat3::Identity();  // axes of B in the description's own base frame
 

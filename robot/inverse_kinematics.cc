@@ -1,5 +1,6 @@
 #include "robot/inverse_kinematics.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <Eigen/Cholesky>
@@ -8,8 +9,10 @@
 namespace dob {
 namespace {
 
-constexpr double kTolerance = 1e-12;  // [m]
-constexpr int kMaxIterations = 100;   // a straight knee is a double root: one bit per iteration
+constexpr double kTolerance = 1e-12;     // [m]
+constexpr int kMaxIterations = 100;      // a straight knee is a double root: one bit per iteration
+constexpr double kLeastDamping = 1e-16;  // [m^2] squared singular values of J, below them
+constexpr double kStalled = 1e4;         // [m^2] even steps this short do not come closer
 
 struct FootKinematics {
   Vec3 p_BF;  // [m]
@@ -57,7 +60,7 @@ std::optional<Vec3> solve_from(const LegDescription& leg, const Limits& limits, 
   Vec3 q = limits.clip(seed);
   FootKinematics foot = foot_kinematics(leg, q);
   double damping = 1e-3;  // [m^2]
-  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
+  for (int iteration = 0; iteration < kMaxIterations && damping < kStalled; ++iteration) {
     const Vec3 error = p_BF - foot.p_BF;
     if (error.norm() <= kTolerance) {
       return q;
@@ -68,7 +71,7 @@ std::optional<Vec3> solve_from(const LegDescription& leg, const Limits& limits, 
     if ((p_BF - candidate_foot.p_BF).norm() < error.norm()) {
       q = candidate;
       foot = candidate_foot;
-      damping *= 0.1;
+      damping = std::max(0.1 * damping, kLeastDamping);
     } else {
       damping *= 10.0;
     }

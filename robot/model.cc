@@ -12,11 +12,11 @@ namespace {
 // the time derivative of A = M_bb^-1 M_bq enters.
 struct Sums {
   double mass = 0.0;
-  Vec3 first_moment = Vec3::Zero();      // sum m r
-  Mat3 inertia = Mat3::Zero();           // about the base origin
-  Vec3 force = Vec3::Zero();             // of the bias forces h
+  Vec3 first_moment = Vec3::Zero();  // sum m r
+  Mat3 inertia = Mat3::Zero();       // about the base origin
+  Vec3 force = Vec3::Zero();         // of the bias forces h
   Vec3 moment = Vec3::Zero();
-  Vec3 linear = Vec3::Zero();            // momentum
+  Vec3 linear = Vec3::Zero();  // momentum
   Vec3 angular = Vec3::Zero();
 
   Sums& operator+=(const Sums& o) noexcept {
@@ -32,7 +32,7 @@ struct Sums {
 };
 
 struct RigidSums {
-  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();          // momentum at the locked velocity
+  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();            // momentum at the locked velocity
   Vec3 linear_rate = Vec3::Zero(), angular_rate = Vec3::Zero();  // its rate at constant locked velocity
 
   RigidSums& operator+=(const RigidSums& o) noexcept {
@@ -47,9 +47,9 @@ struct RigidSums {
 // Motion of one body's centre of mass, relative to the base origin.
 struct BodyMotion {
   double mass;
-  Vec3 r;      // [m] from the base origin
-  Vec3 v;      // [m/s] absolute
-  Vec3 omega;  // [rad/s]
+  Vec3 r;        // [m] from the base origin
+  Vec3 v;        // [m/s] absolute
+  Vec3 omega;    // [rad/s]
   Mat3 inertia;  // about the centre of mass, axes of W
 };
 
@@ -93,8 +93,7 @@ LegPoint foot_point(const std::array<LinkKinematics, kJointsPerLeg>& chain, cons
   LegPoint foot;
   foot.p = lower.p_WL + r_foot;
   foot.v = lower.v + lower.omega.cross(r_foot);
-  foot.Jdot_v =
-      lower.a_bias + lower.alpha_bias.cross(r_foot) + lower.omega.cross(lower.omega.cross(r_foot));
+  foot.Jdot_v = lower.a_bias + lower.alpha_bias.cross(r_foot) + lower.omega.cross(lower.omega.cross(r_foot));
   for (int k = 0; k < kJointsPerLeg; ++k) foot.J_q.col(k) = chain[k].axis_W.cross(foot.p - chain[k].p_WL);
   return foot;
 }
@@ -269,8 +268,8 @@ void Model::compute(const RobotState& state, ModelTerms& t) const noexcept {
   const Vec3 base_moment = t.CTv_b.tail<3>() - rigid_total.angular_rate;
   const Vec6 base_rate = shift_to_com(-rigid_total.linear_rate, base_moment, c);
   t.CqT_qd.noalias() = t.CTv_q - rigid_rate - t.A_c.transpose() * base_rate;
-  t.Idot_omega = rigid_total.angular_rate - (v_com - v_base).cross(rigid_total.linear) -
-                 c.cross(rigid_total.linear_rate);
+  t.Idot_omega =
+      rigid_total.angular_rate - (v_com - v_base).cross(rigid_total.linear) - c.cross(rigid_total.linear_rate);
 }
 
 }  // namespace dob

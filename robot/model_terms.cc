@@ -31,8 +31,8 @@ Mat12 jacobian_joints(const ModelTerms& m, const PerLeg<LegPoint>& points) noexc
 bool inverse_jacobian_joints(const ModelTerms& m, const PerLeg<LegPoint>& points, Mat12& inverse) noexcept {
   // J_j = D - J_com A_c with D block-diagonal: J_j^-1 = D^-1 + D^-1 J_com (I - A_c D^-1 J_com)^-1 A_c D^-1.
   PerLeg<Mat3> D_inv;
-  Mat12x6 E;   // D^-1 J_com
-  Mat6x12 G;   // A_c D^-1
+  Mat12x6 E;  // D^-1 J_com
+  Mat6x12 G;  // A_c D^-1
   for (int l = 0; l < kLegs; ++l) {
     bool invertible = false;
     points[l].J_q.computeInverseWithCheck(D_inv[l], invertible, 1e-9);

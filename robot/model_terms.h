@@ -40,38 +40,38 @@ struct ModelTerms {
   RobotState state;
 
   // Full space.
-  Mat6 M_bb;            // [kg, kg m, kg m^2]
-  Mat6x12 M_bq;         // [kg m, kg m^2]
-  PerLeg<Mat3> M_qq;    // [kg m^2] diagonal blocks, the legs do not couple directly
-  Vec6 h_b;             // [N, N m]
-  Vec12 h_q;            // [N m]
-  Vec6 CTv_b;           // [N, N m] base rows of C^T v
-  Vec12 CTv_q;          // [N m] joint rows of C^T v
-  Vec6 p_b;             // [kg m/s, kg m^2/s] base rows of M v, angular part about the base origin
-  Vec12 p_q;            // [kg m^2/s] joint rows of M v
+  Mat6 M_bb;          // [kg, kg m, kg m^2]
+  Mat6x12 M_bq;       // [kg m, kg m^2]
+  PerLeg<Mat3> M_qq;  // [kg m^2] diagonal blocks, the legs do not couple directly
+  Vec6 h_b;           // [N, N m]
+  Vec12 h_q;          // [N m]
+  Vec6 CTv_b;         // [N, N m] base rows of C^T v
+  Vec12 CTv_q;        // [N m] joint rows of C^T v
+  Vec6 p_b;           // [kg m/s, kg m^2/s] base rows of M v, angular part about the base origin
+  Vec12 p_q;          // [kg m^2/s] joint rows of M v
 
   // Centroidal.
-  double mass;          // [kg] m
-  Vec3 p_com;           // [m] c, position of the CoM in W
-  Vec6 v_c;             // [m/s; rad/s] CoM velocity; average angular velocity
-  Mat3 I_c;             // [kg m^2] composite inertia about the CoM, axes of W
-  Mat3 I_c_inv;         // [1/(kg m^2)]
-  Mat6x12 A_c;          // X A: v_c = X v_b + A_c qd
-  Vec3 L;               // [kg m^2/s] angular momentum about the CoM
-  Vec3 Idot_omega;      // [N m] d/dt(I_c) times the average angular velocity; second half of the exact bias of
-                        // the base rows, L_dot = I_c omega_dot + Idot_omega (the paper drops it)
+  double mass;      // [kg] m
+  Vec3 p_com;       // [m] c, position of the CoM in W
+  Vec6 v_c;         // [m/s; rad/s] CoM velocity; average angular velocity
+  Mat3 I_c;         // [kg m^2] composite inertia about the CoM, axes of W
+  Mat3 I_c_inv;     // [1/(kg m^2)]
+  Mat6x12 A_c;      // X A: v_c = X v_b + A_c qd
+  Vec3 L;           // [kg m^2/s] angular momentum about the CoM
+  Vec3 Idot_omega;  // [N m] d/dt(I_c) times the average angular velocity; second half of the exact bias of
+                    // the base rows, L_dot = I_c omega_dot + Idot_omega (the paper drops it)
 
   // Joint rows of (1).
-  Mat12 M_q;            // [kg m^2]
-  Vec12 c_q;            // [N m] exact bias h_q - A^T h_b, what (24) and (36) call C_q v
-  Vec12 rho;            // [kg m^2/s] legs' generalized momentum M_q qd, eq (2)
-  Vec12 CqT_qd;         // [N m] exact bracket of (3): d/dt(M_q qd) = CqT_qd + tau + J_j^T f
+  Mat12 M_q;     // [kg m^2]
+  Vec12 c_q;     // [N m] exact bias h_q - A^T h_b, what (24) and (36) call C_q v
+  Vec12 rho;     // [kg m^2/s] legs' generalized momentum M_q qd, eq (2)
+  Vec12 CqT_qd;  // [N m] exact bracket of (3): d/dt(M_q qd) = CqT_qd + tau + J_j^T f
 
   // Feet.
-  PerLeg<LegPoint> foot;      // centre of the contact sphere
-  PerLeg<LegPoint> contact;   // lowest point of the sphere on level ground, rolling bias included in Jdot_v
+  PerLeg<LegPoint> foot;     // centre of the contact sphere
+  PerLeg<LegPoint> contact;  // lowest point of the sphere on level ground, rolling bias included in Jdot_v
   PerLeg<std::array<LinkKinematics, kJointsPerLeg>> link;
-  Vec6 h_c_centrifugal;       // [N, N m] base rows of h without gravity, shifted to the CoM
+  Vec6 h_c_centrifugal;  // [N, N m] base rows of h without gravity, shifted to the CoM
 
   // Assembled full-space matrices (for tests, observers that want them, and other robots' conventions).
   Mat18 mass_matrix() const noexcept;

@@ -28,10 +28,10 @@ RobotState standing_pose(const Model& model, double com_height, double foot_offs
                       robot.legs[l].foot_radius);
       const auto q = solve_leg(robot, Leg{l}, foot - state.p_WB, state.q.segment<3>(3 * l));
       if (!q) {
-        throw DescriptionError(fmt::format(
-            "{}: leg {} cannot reach its standing foothold ({}, {}) m with the CoM at {} m; a lower CoM or "
-            "footholds nearer to the hips are needed",
-            robot.name, kLegNames[l], foot.x(), foot.y(), com_height));
+        throw DescriptionError(
+            fmt::format("{}: leg {} cannot reach its standing foothold ({}, {}) m with the CoM at {} m; a lower CoM or "
+                        "footholds nearer to the hips are needed",
+                        robot.name, kLegNames[l], foot.x(), foot.y(), com_height));
       }
       state.q.segment<3>(3 * l) = *q;
     }

@@ -9,12 +9,12 @@
 
 namespace dob {
 
-inline constexpr int kLegs = 4;                           // n_l
-inline constexpr int kJointsPerLeg = 3;                   // n
-inline constexpr int kJoints = kLegs * kJointsPerLeg;     // n n_l
-inline constexpr int kBaseDof = 6;                        // floating base
-inline constexpr int kDof = kBaseDof + kJoints;           // 6 + n n_l
-inline constexpr double kGravity = 9.81;                  // [m/s^2], along -z of W
+inline constexpr int kLegs = 4;                        // n_l
+inline constexpr int kJointsPerLeg = 3;                // n
+inline constexpr int kJoints = kLegs * kJointsPerLeg;  // n n_l
+inline constexpr int kBaseDof = 6;                     // floating base
+inline constexpr int kDof = kBaseDof + kJoints;        // 6 + n n_l
+inline constexpr double kGravity = 9.81;               // [m/s^2], along -z of W
 
 using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;

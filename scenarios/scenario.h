@@ -22,9 +22,9 @@
 namespace dob {
 
 struct RobotConfig {
-  std::filesystem::path urdf;              // absolute
-  Forward forward = Forward::kMinusY;      // direction of travel in the description's base frame
-  std::map<std::string, double> posture;   // [rad] joint name -> seed of the standing pose's inverse kinematics
+  std::filesystem::path urdf;             // absolute
+  Forward forward = Forward::kMinusY;     // direction of travel in the description's base frame
+  std::map<std::string, double> posture;  // [rad] joint name -> seed of the standing pose's inverse kinematics
 };
 
 // A trial ends as a fall when one of these is exceeded, the trunk touches anything, or a state is not finite.
@@ -35,23 +35,23 @@ struct FallOptions {
 
 // What a seed other than 1 draws, uniformly within +- these (seed 1 is the nominal run).
 struct SeedVariation {
-  double gait_phase = 1.0;            // share of the first stance phase already over: 0 to this; and which diagonal first
-  double position = 0.005;            // [m] initial trunk position x, y
-  double velocity = 0.02;             // [m/s] initial trunk velocity x, y
-  double disturbance_onset = 0.265;   // [s] later start of every disturbance: 0 to this
+  double gait_phase = 1.0;  // share of the first stance phase already over: 0 to this; and which diagonal first
+  double position = 0.005;  // [m] initial trunk position x, y
+  double velocity = 0.02;   // [m/s] initial trunk velocity x, y
+  double disturbance_onset = 0.265;  // [s] later start of every disturbance: 0 to this
 };
 
 struct Scenario {
   std::string name;
-  std::string variant;      // "" when the file has none
-  std::string summary;      // one line
-  double duration = 0.0;    // [s] of the path unless given
+  std::string variant;    // "" when the file has none
+  std::string summary;    // one line
+  double duration = 0.0;  // [s] of the path unless given
   RobotConfig robot;
   std::vector<PathSegment> path;
   GaitOptions gait;
   std::string planner_kind = "spline";
   PlannerOptions planner;
-  WbcOptions controller;    // of the gain set
+  WbcOptions controller;  // of the gain set
   SimOptions sim;
   Terrain terrain;
   SensorNoise noise;
@@ -63,8 +63,8 @@ struct Scenario {
 
 // An observer as one cell of the batch uses it: gains and routing come from a profile, then from the command line.
 struct ObserverConfig {
-  std::string observer;      // name in the factory
-  std::string profile;       // "-" for an observer that has no gains and no routing
+  std::string observer;  // name in the factory
+  std::string profile;   // "-" for an observer that has no gains and no routing
   ObserverOptions options;
   Routing routing;
 };

@@ -64,8 +64,8 @@ FullProblem full_problem(const WbcInstance& in, const WbcOptions& o, const Routi
     const Mat3x18 full = jacobian(m, point, leg);
     J.block(row, 0, 3, 6) = full.leftCols<6>() * c.X_inv;
     J.block(row, 6, 3, 12) = full.rightCols<12>() - full.leftCols<6>() * c.A;
-    bias.segment(row, 3) = point.Jdot_v + full.leftCols<6>() * c.M_bb_inv *
-                                              (c.X.transpose() * gravity_b - c.h.head<6>());
+    bias.segment(row, 3) =
+        point.Jdot_v + full.leftCols<6>() * c.M_bb_inv * (c.X.transpose() * gravity_b - c.h.head<6>());
   };
   MatrixXd J_st(nf, 18), J_sw(ns, 18);
   VectorXd bias_st(nf), bias_sw(ns);
@@ -198,10 +198,11 @@ double full_kkt_residual(const FullProblem& p, const PerLeg<bool>& stance, const
   const VectorXd gradient = Hz + p.g + Dy;
   const VectorXd nu = p.E.transpose().colPivHouseholderQr().solve(-gradient);
   const VectorXd Enu = p.E.transpose() * nu;
-  const auto scale = [](std::initializer_list<double> terms) { return std::max(1.0, *std::max_element(terms.begin(), terms.end())); };
+  const auto scale = [](std::initializer_list<double> terms) {
+    return std::max(1.0, *std::max_element(terms.begin(), terms.end()));
+  };
   const auto largest = [](const VectorXd& v) { return v.size() == 0 ? 0.0 : v.cwiseAbs().maxCoeff(); };
-  const double stationarity =
-      largest(gradient + Enu) / scale({largest(Hz), largest(p.g), largest(Dy), largest(Enu)});
+  const double stationarity = largest(gradient + Enu) / scale({largest(Hz), largest(p.g), largest(Dy), largest(Enu)});
   const double equality = largest(p.E * zeta - p.e) / scale({largest(p.E * zeta), largest(p.e)});
   const VectorXd value = p.D * zeta;
   const VectorXd violation = (p.lower - value).cwiseMax(value - p.upper).cwiseMax(0.0);
@@ -212,8 +213,8 @@ double full_kkt_residual(const FullProblem& p, const PerLeg<bool>& stance, const
     complementarity = std::max(complementarity, std::abs(y[r] * (value[r] - bound)));
     complementarity_scale = std::max(complementarity_scale, std::abs(y[r] * value[r]));
   }
-  return std::max({stationarity, equality, largest(violation) / scale({largest(value)}),
-                   complementarity / complementarity_scale});
+  return std::max(
+      {stationarity, equality, largest(violation) / scale({largest(value)}), complementarity / complementarity_scale});
 }
 
 }  // namespace dob::test

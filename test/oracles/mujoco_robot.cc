@@ -5,11 +5,11 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <unistd.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <mujoco/mujoco.h>
-#include <unistd.h>
 
 namespace dob::oracle {
 namespace {
@@ -44,7 +44,7 @@ struct MujocoRobot::Impl {
   mjModel* model = nullptr;
   mjData* data = nullptr;
   const RobotDescription robot;
-  Mat3 R_BD;                                            // B from description axes
+  Mat3 R_BD;  // B from description axes
   PerLeg<std::array<int, kJointsPerLeg>> dof, qpos, body;
   Mat3 R_WD = Mat3::Identity();
 
@@ -172,6 +172,24 @@ void MujocoRobot::compute(MujocoTerms& t) {
     const Vec3 omega(vel[0], vel[1], vel[2]);
     const Vec3 r = foot - com;  // mj_objectAcceleration refers to the inertial frame of the body
     t.Jdot_v_foot[l] = Vec3(acc[3], acc[4], acc[5]) + gravity + alpha.cross(r) + omega.cross(omega.cross(r));
+  }
+}
+
+void MujocoRobot::compute_raw() {
+  const mjModel& m = *impl_->model;
+  mjData& d = *impl_->data;
+  mj_fwdPosition(&m, &d);
+  mj_fwdVelocity(&m, &d);
+  std::array<double, static_cast<std::size_t>(kDof) * kDof> full{};
+  mj_fullM(&m, full.data(), d.qM);
+  mju_zero(d.qacc, m.nv);
+  mj_rnePostConstraint(&m, &d);
+  for (int l = 0; l < kLegs; ++l) {
+    const int body = impl_->body[l][kJointsPerLeg - 1];
+    std::array<double, 3 * kDof> jac_p{}, jac_r{};
+    mj_jac(&m, &d, jac_p.data(), jac_r.data(), d.xpos + 3 * body, body);
+    std::array<double, 6> acceleration{};
+    mj_objectAcceleration(&m, &d, mjOBJ_BODY, body, acceleration.data(), 0);
   }
 }
 

@@ -14,9 +14,9 @@ namespace dob::oracle {
 
 struct MujocoTerms {
   Mat18 M;
-  Vec18 h;                 // bias forces including gravity
+  Vec18 h;  // bias forces including gravity
   Vec3 p_com;
-  PerLeg<Vec3> p_foot;     // centre of the foot sphere
+  PerLeg<Vec3> p_foot;  // centre of the foot sphere
   PerLeg<Mat3x18> J_foot;
   PerLeg<Mat3x18> J_lower_angular;  // angular Jacobian of the lower links
   PerLeg<Vec3> Jdot_v_foot;
@@ -32,6 +32,10 @@ class MujocoRobot {
 
   void set_state(const RobotState& state);
   void compute(MujocoTerms& terms);  // at the state last set
+
+  // The same terms left in MuJoCo's own arrays and coordinates: what a benchmark compares with. Mass matrix, bias
+  // forces, foot Jacobians and foot accelerations at v_dot = 0.
+  void compute_raw();
 
  private:
   struct Impl;

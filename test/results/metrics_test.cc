@@ -63,8 +63,13 @@ TEST(MetricsTest, PathErrorIsHorizontalAndAgainstTheCommandedPath) {
   r.path_position += Vec2(0.03, -0.04);
   r.com.z() += 1.0;
   r.com_reference.z() += 1.0;
-  EXPECT_THAT(metrics_of({quiet(), r, quiet()}).path_error_max_m, about(0.05));
-  EXPECT_THAT(metrics_of({quiet(), r, quiet()}).com_error_max_m, about(0.0));
+  const CellMetrics shifted_path = metrics_of({quiet(), r, quiet()});
+  EXPECT_THAT(shifted_path.path_error_max_m, about(0.05));
+  EXPECT_THAT(shifted_path.com_error_max_m, about(0.0));
+
+  TickRecord replanned = quiet();  // the reference follows something else: of no account
+  replanned.com_reference.x() += 0.5;
+  EXPECT_THAT(metrics_of({replanned}).path_error_max_m, about(0.0));
 }
 
 TEST(MetricsTest, FootErrorInSwingIsThatOfTheWorstLegUnlessOneIsNamed) {
@@ -226,6 +231,16 @@ TEST(MetricsTest, OrientationSaturationAndQpAreCounted) {
   EXPECT_THAT(m.torque_saturation_ratio, about(6.0 / 48.0));
   EXPECT_EQ(m.qp_solves, 3);
   EXPECT_EQ(m.qp_failures, 1);
+}
+
+TEST(MetricsTest, EveryStatusButOptimalIsAQpFailure) {
+  for (const QpStatus status : {QpStatus::kInfeasible, QpStatus::kSingular, QpStatus::kIterationLimit,
+                                QpStatus::kInaccurate, QpStatus::kInvalidInput}) {
+    TickRecord r = quiet();
+    r.qp_solved = true;
+    r.qp_status = status;
+    EXPECT_EQ(metrics_of({r, quiet()}).qp_failures, 1) << to_string(status);
+  }
 }
 
 TEST(MetricsTest, SlipAccumulatesWithinOneStanceAsADisplacement) {

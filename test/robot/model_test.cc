@@ -140,7 +140,6 @@ TEST_F(ModelTest, CentroidalFormReproducesFullSpaceAccelerations) {
     }
     Vec18 force = Vec18::Zero();
     force.tail<12>() = tau;
-    Mat12 J_q = Mat12::Zero();
     for (int l = 0; l < kLegs; ++l) {
       force += full_jacobian(t, t.contact[l], l).transpose() * f.segment<3>(3 * l);
     }
@@ -156,8 +155,8 @@ TEST_F(ModelTest, CentroidalFormReproducesFullSpaceAccelerations) {
     Vec6 wrench = com_wrench(t, t.contact, f);
     wrench[2] -= t.mass * kGravity;
     const Vec6 rdd_c = M_com.ldlt().solve(wrench);
-    const Vec12 expected = jacobian_com(t, t.contact) * rdd_c + jacobian_joints(t, t.contact) * qdd +
-                           acceleration_bias(t, t.contact);
+    const Vec12 expected =
+        jacobian_com(t, t.contact) * rdd_c + jacobian_joints(t, t.contact) * qdd + acceleration_bias(t, t.contact);
     for (int l = 0; l < kLegs; ++l) {
       const Vec3 a = full_jacobian(t, t.contact[l], l) * v_dot + t.contact[l].Jdot_v;
       ASSERT_LT(relative(Vec3(expected.segment<3>(3 * l)), a), 1e-9);

@@ -227,7 +227,8 @@ TEST(Layers, APostureGoesWithItsRobot) {
   const std::string robot = "[robot]\nurdf = \"other.urdf\"\n[robot.posture_rad]\n";
   std::string posture = "Front_right_knee = 1.5\nfront_right_roll = 0.1\nfront_right_pitch = 0.8\n";
   for (const std::string leg : {"front_left", "back_left", "back_right"}) {
-    for (const std::string joint : {"roll", "pitch", "knee"}) posture += leg + "_" + joint + " = 0.0\n";
+    for (const std::string joint : {"roll", "pitch", "knee"})
+      posture.append(leg).append("_").append(joint).append(" = 0.0\n");
   }
   const RobotConfig config = load_text(files, robot + posture).robot;
   EXPECT_EQ(config.urdf, files.directory() / "other.urdf");

@@ -5,10 +5,10 @@
 
 // glibc's own allocator under its other name; operator new of libstdc++ calls malloc.
 extern "C" {
-void* __libc_malloc(std::size_t size);                              // NOLINT(bugprone-reserved-identifier)
-void* __libc_calloc(std::size_t count, std::size_t size);           // NOLINT(bugprone-reserved-identifier)
-void* __libc_realloc(void* pointer, std::size_t size);              // NOLINT(bugprone-reserved-identifier)
-void* __libc_memalign(std::size_t alignment, std::size_t size);     // NOLINT(bugprone-reserved-identifier)
+void* __libc_malloc(std::size_t size);                           // NOLINT(bugprone-reserved-identifier)
+void* __libc_calloc(std::size_t count, std::size_t size);        // NOLINT(bugprone-reserved-identifier)
+void* __libc_realloc(void* pointer, std::size_t size);           // NOLINT(bugprone-reserved-identifier)
+void* __libc_memalign(std::size_t alignment, std::size_t size);  // NOLINT(bugprone-reserved-identifier)
 }
 
 namespace {
@@ -53,6 +53,8 @@ namespace dob::test {
 
 AllocationCounter::AllocationCounter() noexcept : start_(allocations) {}
 
-long AllocationCounter::count() const noexcept { return allocations - start_; }
+long AllocationCounter::count() const noexcept {
+  return allocations - start_;
+}
 
 }  // namespace dob::test

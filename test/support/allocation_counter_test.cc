@@ -11,7 +11,9 @@ namespace dob::test {
 namespace {
 
 // The pointer escapes, so that no allocation can be optimised away.
-void use(const void* pointer) { asm volatile("" : : "g"(pointer) : "memory"); }
+void use(const void* pointer) {
+  asm volatile("" : : "g"(pointer) : "memory");
+}
 
 TEST(AllocationCounter, CountsAnEigenVectorOfRunTimeSize) {
   const AllocationCounter counter;

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <random>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "controller/qp.h"
 
@@ -32,16 +32,24 @@ class RandomQp {
     return Vector::NullaryExpr([this] { return normal(); });
   }
 
-  // Symmetric positive definite with eigenvalues from 1/sqrt(condition) to sqrt(condition), both ends included.
+  // Symmetric positive definite with eigenvalues from 1/sqrt(condition) to sqrt(condition), both ends included, turned
+  // by N random reflections I - beta v v^T from both sides.
   Matrix hessian(double condition) {
-    const Matrix random = Matrix::NullaryExpr([this] { return normal(); });
-    const Matrix Q = Eigen::HouseholderQR<Matrix>(random).householderQ();
     const double end = std::sqrt(condition);
-    Vector eigenvalues = Vector::NullaryExpr([&] { return log_uniform(1.0 / end, end); });
-    eigenvalues(0) = end;
-    eigenvalues(N - 1) = 1.0 / end;
-    const Matrix H = Q * eigenvalues.asDiagonal() * Q.transpose();
-    return 0.5 * (H + H.transpose());
+    Matrix H = Matrix::Zero();
+    for (int j = 0; j < N; ++j) H(j, j) = log_uniform(1.0 / end, end);
+    H(0, 0) = end;
+    H(N - 1, N - 1) = 1.0 / end;
+    for (int k = 0; k < N; ++k) {
+      const Vector v = vector();
+      const double beta = 2.0 / v.squaredNorm();
+      Vector w = Vector::Zero();  // H v
+      for (int j = 0; j < N; ++j) w += H.col(j) * v(j);
+      const double vw = v.dot(w);
+      for (int j = 0; j < N; ++j) H.col(j) += beta * (v * (beta * vw * v(j) - w(j)) - w * v(j));
+    }
+    for (int j = 0; j < N; ++j) H.row(j).head(j) = H.col(j).head(j);
+    return H;
   }
 
   // A problem whose solution is known by construction: x and y are drawn, then g and the bounds follow.
@@ -67,7 +75,8 @@ class RandomQp {
       if (equality || known.y(i) > 0.0) qp.upper(i) = value;
       if (equality || known.y(i) < 0.0) qp.lower(i) = value;
     }
-    qp.g = -(qp.H * known.x + qp.C.transpose() * known.y);
+    for (int j = 0; j < N; ++j) qp.g -= qp.H.col(j) * known.x(j);
+    for (int i = 0; i < active; ++i) qp.g -= qp.C.row(i).transpose() * known.y(i);
     return known;
   }
 
@@ -79,10 +88,12 @@ class RandomQp {
     const double spread = chance(0.3) ? 1e4 : 1.0;
     const Vector scale = Vector::NullaryExpr([&] { return log_uniform(1.0 / spread, spread); });
     const double size = log_uniform(1e-8, 1e8);
-    qp.H = log_uniform(1e-8, 1e8) * (scale.asDiagonal() * hessian(log_uniform(1.0, 1e8)) * scale.asDiagonal());
+    const double strength = log_uniform(1e-8, 1e8);
+    qp.H = hessian(log_uniform(1.0, 1e8));
+    for (int j = 0; j < N; ++j) qp.H.col(j) = (strength * scale(j)) * scale.cwiseProduct(qp.H.col(j));
     const Vector inside = size * scale.cwiseInverse().cwiseProduct(vector());
     const Vector target = inside + log_uniform(1e-8, 1e8) * scale.cwiseInverse().cwiseProduct(vector());
-    qp.g = -(qp.H.template selfadjointView<Eigen::Lower>() * target);
+    for (int j = 0; j < N; ++j) qp.g -= qp.H.col(j) * target(j);
     const double contradictions = chance(0.5) ? 0.0 : uniform(0.0, 0.5);
     for (int i = 0; i < qp.rows; ++i) {
       qp.C.row(i) = hostile_row(qp, i);

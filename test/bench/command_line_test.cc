@@ -1,0 +1,154 @@
+// The program as a user starts it: exit codes, messages, what is written.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Answer {
+  int exit_code = -1;
+  std::string out, err;
+};
+
+std::string read(const fs::path& file) {
+  std::ifstream in(file);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+class CommandLine : public ::testing::Test {
+ protected:
+  fs::path dir = fs::temp_directory_path() / ("dobbench_cli_" + std::to_string(::getpid()));
+
+  void SetUp() override { fs::create_directories(dir); }
+  void TearDown() override { fs::remove_all(dir); }
+
+  Answer dobbench(const std::string& arguments) const {
+    const fs::path err = dir / "stderr";
+    const std::string command =
+        "cd '" + dir.string() + "' && '" DOBBENCH "' " + arguments + " 2>'" + err.string() + "'";
+    Answer answer;
+    FILE* pipe = ::popen(command.c_str(), "r");
+    std::array<char, 4096> buffer{};
+    for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
+      answer.out.append(buffer.data(), n);
+    }
+    answer.exit_code = WEXITSTATUS(::pclose(pipe));
+    answer.err = read(err);
+    fs::remove(err);
+    return answer;
+  }
+
+  // Bad input: exit code 2, one line that holds every given part, nothing on stdout, nothing written.
+  void expect_refused(const std::string& arguments, const std::vector<std::string>& parts) const {
+    const Answer answer = dobbench(arguments);
+    EXPECT_EQ(answer.exit_code, 2) << arguments;
+    EXPECT_EQ(answer.out, "") << arguments;
+    EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
+    for (const std::string& part : parts)
+      EXPECT_NE(answer.err.find(part), std::string::npos) << part << ": " << answer.err;
+    EXPECT_FALSE(fs::exists(dir / "dobbench-results")) << arguments;
+  }
+};
+
+TEST_F(CommandLine, BadInputIsRefusedWithItsPlaceAndNothingIsWritten) {
+  expect_refused("run nonsense", {"nonsense", "undisturbed"});
+  expect_refused("run case1/nonsense", {"nonsense", "knee_lateral"});
+  expect_refused("run missing.toml", {"missing.toml"});
+  expect_refused("run undisturbed --observer nonsense", {"nonsense", "momentum"});
+  expect_refused("run undisturbed --observer 'momentum:gains=17.5;6.28;2.25' --profile paper", {"unstable", "2.01"});
+  expect_refused("run undisturbed --observer momentum:nonsense=1", {"nonsense"});
+  expect_refused("run undisturbed --profile nonsense", {"nonsense", "paper"});
+  expect_refused("run undisturbed --gains nonsense", {"nonsense", "swing300"});
+  expect_refused("run undisturbed --planner nonsense", {"nonsense", "spline"});
+  expect_refused("run undisturbed --set gait.nonsense=1", {"--set", "gait.nonsense"});
+  expect_refused("run undisturbed --set gait.stance_s=-1", {"--set", "gait.stance_s", "-1"});
+  expect_refused("run undisturbed --set gait.stance_s=nan", {"--set", "gait.stance_s"});
+  expect_refused("run undisturbed --set robot.urdf=missing.urdf", {"missing.urdf"});
+  expect_refused("run undisturbed --seeds 0", {"--seeds"});
+  expect_refused("run undisturbed --seeds 5..2", {"--seeds"});
+  expect_refused("run undisturbed --jobs 0", {"--jobs"});
+  expect_refused("run --nonsense", {"nonsense"});
+  expect_refused("table nowhere", {"nowhere"});
+}
+
+TEST_F(CommandLine, AScenarioFileIsRefusedWithLineAndColumn) {
+  std::ofstream(dir / "mine.toml") << "summary = \"mine\"\nduration_s = 1.0\n\n[gait]\nstance_s = \"long\"\n"
+                                      "\n[[path]]\nduration_s = 1.0\nspeed_m_s = 0.1\n";
+  expect_refused("run mine.toml", {"mine.toml:5:", "gait.stance_s", "long"});
+  std::ofstream(dir / "torn.toml") << "summary = \"mine\"\n[gait\n";
+  expect_refused("run torn.toml", {"torn.toml:2:"});
+}
+
+TEST_F(CommandLine, TheTableDoesNotDependOnTheNumberOfJobs) {
+  const std::string what = "run undisturbed case1/tip_lateral --set duration_s=1.5 --seeds 2 ";
+  ASSERT_EQ(dobbench(what + "--jobs 1 --out one").exit_code, 0);
+  ASSERT_EQ(dobbench(what + "--jobs 3 --out three").exit_code, 0);
+  const Answer one = dobbench("table one --format json");
+  EXPECT_EQ(one.exit_code, 0);
+  EXPECT_EQ(one.out, dobbench("table three --format json").out);
+  const auto rows = nlohmann::json::parse(one.out);
+  EXPECT_EQ(rows.size(), 6U);
+  EXPECT_EQ(rows[0]["runs"], 2);
+  // The same state hashes, cell by cell.
+  const auto hashes = [this](const char* run) {
+    std::set<std::string> lines;
+    std::istringstream cells(read(dir / run / "cells.jsonl"));
+    for (std::string line; std::getline(cells, line);) lines.insert(line);
+    return lines;
+  };
+  EXPECT_EQ(hashes("one").size(), 12U);
+  EXPECT_EQ(hashes("one"), hashes("three"));
+}
+
+TEST_F(CommandLine, ARunDirectoryHoldsWhatIsNeededToRunItAgain) {
+  ASSERT_EQ(dobbench("run case1/knee_lateral --observer none --set duration_s=0.5 --log csv").exit_code, 0);
+  const fs::path run = dir / "dobbench-results" / "0001";
+  const auto info = nlohmann::json::parse(read(run / "run.json"));
+  EXPECT_NE(info["command_line"].get<std::string>().find("case1/knee_lateral"), std::string::npos);
+  for (const char* key : {"version", "commit", "compiler", "machine", "date"}) EXPECT_TRUE(info.contains(key)) << key;
+  int scenarios = 0;
+  for (const auto& file : fs::directory_iterator(run / "scenarios")) {
+    ++scenarios;
+    const Answer again = dobbench("run '" + file.path().string() + "' --observer none --out again");
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    const auto first = nlohmann::json::parse(read(run / "cells.jsonl"));
+    const auto second = nlohmann::json::parse(read(dir / "again" / "cells.jsonl"));
+    EXPECT_EQ(first["state_hash"], second["state_hash"]);
+  }
+  EXPECT_EQ(scenarios, 1);
+  int logs = 0;
+  for (const auto& file : fs::directory_iterator(run / "logs")) {
+    ++logs;
+    const std::string text = read(file.path());
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 501);  // header and one line a tick
+  }
+  EXPECT_EQ(logs, 1);
+}
+
+TEST_F(CommandLine, ListsWhatThereIs) {
+  const Answer text = dobbench("list");
+  EXPECT_EQ(text.exit_code, 0);
+  for (const char* name : {"case1", "undisturbed", "momentum", "paper", "stiff"}) {
+    EXPECT_NE(text.out.find(name), std::string::npos) << name;
+  }
+  const auto json = nlohmann::json::parse(dobbench("list observers --json").out);
+  EXPECT_EQ(json["observers"][0]["name"], "none");
+  EXPECT_EQ(dobbench("--version").exit_code, 0);
+}
+
+}  // namespace

@@ -1,0 +1,80 @@
+#include "bench/trial.h"
+
+#include <gtest/gtest.h>
+
+#include "scenarios/loader.h"
+
+namespace dob {
+namespace {
+
+Scenario load(const std::string& name, double duration) {
+  Scenario s = load_scenarios({.name = name, .gains = "paper", .planner = "", .overrides = {}}).front();
+  s.duration = duration;
+  return s;
+}
+
+TEST(Trial, SameSeedGivesTheSameBitsAndAnotherSeedDoesNot) {
+  const Scenario scenario = load("case1/knee_lateral", 2.0);
+  const ObserverConfig observer = load_observer("momentum", "matched");
+  const CellResult first = Trial(scenario, observer, 2).run();
+  const CellResult second = Trial(scenario, observer, 2).run();
+  EXPECT_EQ(first.state_hash, second.state_hash);
+  EXPECT_EQ(first.metrics.com_error_max_m, second.metrics.com_error_max_m);
+  EXPECT_NE(first.state_hash, Trial(scenario, observer, 3).run().state_hash);
+}
+
+// The bounds of the undisturbed run, over its first 15 s; the batch runs the whole 120 s.
+TEST(Trial, UndisturbedTrotTracksItsReference) {
+  const CellResult result = Trial(load("undisturbed", 15.0), load_observer("none", "paper"), 1).run();
+  EXPECT_EQ(result.outcome, Outcome::kSurvived) << result.reason;
+  EXPECT_DOUBLE_EQ(result.simulated_s, 15.0);
+  EXPECT_LE(result.metrics.com_error_max_m.value(), 0.002);
+  EXPECT_LE(result.metrics.foot_error_max_m.value(), 0.003);
+  EXPECT_EQ(result.metrics.qp_failures, 0);
+  EXPECT_GE(result.metrics.qp_solves, 6000);  // 400 Hz, and more at changes of the stance set
+}
+
+// After 10 s the force has passed its peak six times; the foot's error with the observer is a fraction of that without.
+TEST(Trial, MomentumObserverKeepsThePushedFootOnItsReference) {
+  const Scenario scenario = load("case1/knee_lateral", 10.0);
+  const CellResult none = Trial(scenario, load_observer("none", "paper"), 1).run();
+  const CellResult momentum = Trial(scenario, load_observer("momentum", "matched"), 1).run();
+  ASSERT_EQ(none.outcome, Outcome::kSurvived);
+  ASSERT_EQ(momentum.outcome, Outcome::kSurvived);
+  EXPECT_LT(*momentum.metrics.foot_error_max_m, 0.25 * *none.metrics.foot_error_max_m);
+  EXPECT_LT(*momentum.metrics.grf_error_mean_N, 5.0);
+  EXPECT_LT(*momentum.metrics.estimate_rmse_N, 1.0);
+  EXPECT_FALSE(none.metrics.estimate_rmse_N.has_value());
+}
+
+TEST(Trial, RecordedTruthIsTheDisturbanceSeenAtTheJoints) {
+  Trial trial(load("case1/tip_lateral", 3.0), load_observer("momentum", "matched"), 1);
+  double largest_difference = 0.0;
+  while (trial.time() < 2.0) {
+    ASSERT_TRUE(trial.tick());
+    const TickRecord& r = trial.record();
+    if (!r.has_force_estimate || r.t < 0.5) continue;
+    EXPECT_NEAR(r.force_true.norm(), 20.0 * std::sin(r.t - 0.001), 1e-6);
+    largest_difference = std::max(largest_difference, (r.force_true - r.force_estimate).norm());
+  }
+  EXPECT_GT(largest_difference, 0.0);
+  EXPECT_LT(largest_difference, 2.0);  // [N] lag of the filter at 1 rad/s and landing transients
+}
+
+TEST(Trial, AFallEndsTheTrialWithItsReasonAndTime) {
+  Scenario scenario = load("undisturbed", 5.0);
+  Disturbance push;
+  push.profile.amplitude_N = 400.0;
+  push.profile.start_s = 0.5;
+  push.leg = AppliedForce::kTrunk;
+  push.direction = Vec3::UnitY();
+  scenario.disturbances = {push};
+  const CellResult result = Trial(scenario, load_observer("none", "paper"), 1).run();
+  EXPECT_EQ(result.outcome, Outcome::kFell);
+  EXPECT_FALSE(result.reason.empty());
+  EXPECT_GT(result.simulated_s, 0.5);
+  EXPECT_LT(result.simulated_s, 3.0);
+}
+
+}  // namespace
+}  // namespace dob

@@ -1,0 +1,96 @@
+#include "controller/gait_scheduler.h"
+
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace dob {
+namespace {
+
+constexpr double kDt = 1e-3;
+
+Vec12 contact(const PerLeg<bool>& touching) {
+  Vec12 f = Vec12::Zero();
+  for (int l = 0; l < kLegs; ++l) f[3 * l + 2] = touching[l] ? 50.0 : 0.0;
+  return f;
+}
+
+// Ideal ground: a foot touches whenever it is not swinging or its swing time is over.
+PerLeg<bool> ideal(const GaitState& s, double swing_duration) {
+  PerLeg<bool> touching{};
+  for (int l = 0; l < kLegs; ++l) touching[l] = s.stands(l) || s.swing_time[l] >= swing_duration - 1.5 * kDt;
+  return touching;
+}
+
+TEST(GaitScheduler, TrotRepeatsEveryStancePlusSwingWithAlternatingDiagonals) {
+  GaitScheduler gait(GaitOptions{});
+  std::vector<int> lift_off_ticks;
+  std::vector<bool> lf;
+  for (int k = 0; k < 2000; ++k) {
+    const GaitState& s = gait.update(kDt, contact(ideal(gait.state(), 0.115)));
+    EXPECT_EQ(s.stands(0), s.stands(3));
+    EXPECT_EQ(s.stands(1), s.stands(2));
+    EXPECT_TRUE(s.stands(0) || s.stands(1));
+    if (s.lift_off[0] || s.lift_off[1]) {
+      lift_off_ticks.push_back(k);
+      lf.push_back(s.lift_off[0]);
+    }
+  }
+  ASSERT_EQ(lift_off_ticks.size(), 7U);  // (2 - 0.15) / 0.265
+  EXPECT_EQ(lift_off_ticks[0], 150);
+  for (std::size_t i = 1; i < lift_off_ticks.size(); ++i) {
+    EXPECT_EQ(lift_off_ticks[i] - lift_off_ticks[i - 1], 265);
+    EXPECT_NE(lf[i], lf[i - 1]);
+  }
+}
+
+TEST(GaitScheduler, ContactCountsAsTouchdownOnlyInTheLastPartOfTheSwing) {
+  GaitScheduler gait(GaitOptions{});
+  const PerLeg<bool> always{true, true, true, true};
+  int lift_off = -1, touchdown = -1;
+  for (int k = 0; k < 265 && touchdown < 0; ++k) {
+    const GaitState& s = gait.update(kDt, contact(always));
+    if (s.lift_off[0]) lift_off = k;
+    if (s.touchdown[0]) touchdown = k;
+  }
+  EXPECT_EQ(lift_off, 150);
+  EXPECT_EQ(touchdown - lift_off, 65);  // 0.115 - 0.05 s
+}
+
+TEST(GaitScheduler, LiftOffWaitsForALateFootButNotForEver) {
+  GaitScheduler gait(GaitOptions{});
+  const PerLeg<bool> never_lf{false, true, true, true};
+  int second_lift_off = -1;
+  for (int k = 0; k < 1000 && second_lift_off < 0; ++k) {
+    const GaitState& s = gait.update(kDt, contact(never_lf));
+    if (k > 300 && k < 500) {
+      EXPECT_EQ(s.phase[0], LegPhase::kLate);
+    }
+    if (s.lift_off[1]) second_lift_off = k;
+  }
+  EXPECT_EQ(second_lift_off, 150 + 115 + 150 + 100);
+}
+
+TEST(GaitScheduler, InitialPhaseAndDiagonalAreWhatResetSays) {
+  GaitScheduler gait(GaitOptions{});
+  gait.reset(0.1, true);
+  int lift_off = -1;
+  for (int k = 0; k < 100 && lift_off < 0; ++k) {
+    if (gait.update(kDt, contact({true, true, true, true})).lift_off[1]) lift_off = k;
+  }
+  EXPECT_EQ(lift_off, 50);
+}
+
+TEST(GaitScheduler, RefusesOptionsByName) {
+  GaitOptions options;
+  options.early_touchdown_window = 0.2;
+  try {
+    const GaitScheduler gait(options);
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("early_touchdown_window_s = 0.2"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace dob

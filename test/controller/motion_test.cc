@@ -1,0 +1,144 @@
+// Cubics, swing trajectory, reference path and planner.
+#include <cmath>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "controller/motion_planner.h"
+#include "robot/model.h"
+#include "robot/standing_pose.h"
+
+namespace dob {
+namespace {
+
+TEST(Cubic, MeetsItsEndsAndIsItsOwnDerivative) {
+  const double T = 0.15;
+  const auto at = [&](double t) { return cubic_at(t, T, 1.0, -0.3, 2.0, 0.7); };
+  EXPECT_DOUBLE_EQ(at(0.0).p, 1.0);
+  EXPECT_DOUBLE_EQ(at(0.0).v, -0.3);
+  EXPECT_NEAR(at(T - 1e-12).p, 2.0, 1e-10);
+  EXPECT_NEAR(at(T - 1e-12).v, 0.7, 1e-9);
+  const double h = 1e-6;
+  for (const double t : {0.03, 0.07, 0.12}) {
+    EXPECT_NEAR((at(t + h).p - at(t - h).p) / (2 * h), at(t).v, 1e-8);
+    EXPECT_NEAR((at(t + h).v - at(t - h).v) / (2 * h), at(t).a, 1e-6);
+  }
+  EXPECT_DOUBLE_EQ(at(T + 0.1).p, 2.0 + 0.07);
+}
+
+TEST(SwingTrajectory, LiftsByTheStepHeightAndLandsBelowTheGround) {
+  SwingTrajectory swing;
+  const SwingOptions options;
+  const Vec3 from(0.1, 0.2, 0.028), to(0.15, 0.19, 0.028);
+  swing.plan(from, to, 0.115, options);
+  EXPECT_TRUE(swing.at(0.0).p.isApprox(from, 1e-12));
+  EXPECT_NEAR(swing.at(0.0575).p.z(), 0.028 + 0.05, 1e-12);
+  EXPECT_NEAR(swing.at(0.0575).v.z(), 0.0, 1e-12);
+  const Motion<Vec3> end = swing.at(0.115);
+  EXPECT_TRUE(end.p.isApprox(to - Vec3(0, 0, 0.008), 1e-12));
+  EXPECT_NEAR(end.v.head<2>().norm(), 0.0, 1e-12);
+  EXPECT_NEAR(swing.at(0.215).p.z(), 0.028 - 0.008 - 0.015, 1e-12);  // late: 0.15 m/s
+}
+
+TEST(ReferencePath, OfCaseOneIsAsLongAsItsFiguresSay) {
+  const ReferencePath path({{10, 0.12, 0}, {10, 0.12, 0.05}, {5.8, 0.12, 0}, {10, 0.12, -0.05}, {10, 0.12, 0}});
+  EXPECT_NEAR(path.length(), 5.496, 1e-12);
+  EXPECT_NEAR(path.duration(), 45.8, 1e-12);
+  EXPECT_NEAR(path.at(45.8).yaw, 0.0, 1e-12);
+  EXPECT_NEAR(path.at(20.0).yaw, 0.5, 1e-12);
+  // On the arc: the circle of radius v / yaw rate.
+  const Vec2 center(1.2, 0.12 / 0.05);
+  for (const double t : {10.0, 13.0, 17.7, 20.0}) EXPECT_NEAR((path.at(t).p - center).norm(), 2.4, 1e-12);
+  const double h = 1e-6;
+  for (const double t : {3.0, 12.0, 22.0, 30.0}) {
+    EXPECT_NEAR(((path.at(t + h).p - path.at(t - h).p) / (2 * h) - path.at(t).v).norm(), 0.0, 1e-8);
+  }
+}
+
+TEST(ReferencePath, RefusesWhatCannotBeDriven) {
+  EXPECT_THROW(ReferencePath({}), std::invalid_argument);
+  EXPECT_THROW(ReferencePath({{0.0, 0.1, 0.0}}), std::invalid_argument);
+  EXPECT_THROW(ReferencePath({{1.0, std::nan(""), 0.0}}), std::invalid_argument);
+}
+
+class PlannerTest : public ::testing::Test {
+ protected:
+  Model model{load_robot(std::string(DOB_SOURCE_DIR) + "/robot/dogbot/dogbot.urdf", Forward::kMinusY)};
+  PlannerOptions options;
+  GaitOptions gait_options;
+  ModelTerms m;
+
+  void SetUp() override {
+    model.compute(standing_pose(model, options.com_height, options.foot_offset_x, options.foot_offset_y,
+                                {{"front_right_pitch", 0.886},
+                                 {"front_left_pitch", -0.884},
+                                 {"back_right_pitch", 0.886},
+                                 {"back_left_pitch", -0.884},
+                                 {"front_right_knee", 1.604},
+                                 {"front_left_knee", -1.604},
+                                 {"back_right_knee", 1.604},
+                                 {"back_left_knee", -1.604}}),
+                  m);
+  }
+
+  GaitState footstep() const {
+    GaitState gait;
+    gait.footstep_begins = true;
+    gait.next_swing = {true, false, false, true};
+    return gait;
+  }
+};
+
+TEST_F(PlannerTest, StandingPoseIsTheNominalOne) {
+  EXPECT_NEAR((m.p_com - Vec3(0, 0, 0.40)).norm(), 0.0, 1e-10);
+  EXPECT_NEAR((m.foot[0].p - Vec3(0.287, 0.187, 0.028)).norm(), 0.0, 1e-10);
+  EXPECT_NEAR((m.foot[3].p - Vec3(-0.287, -0.187, 0.028)).norm(), 0.0, 1e-10);
+  EXPECT_GT(m.state.p_WB.z(), 0.40);
+}
+
+TEST_F(PlannerTest, CentreOfMassCrossesTheSupportingDiagonalInMidSwing) {
+  MotionPlanner planner(options, gait_options, ReferencePath({{100.0, 0.12, 0.0}}));
+  planner.reset(m);
+  planner.update(10.0, footstep(), m);
+  GaitState later;
+  const MotionReference& mid = planner.update(10.0 + 0.15 + 0.0575, later, m);
+  EXPECT_NEAR((mid.com.p - Vec3(0.0, 0.0, 0.40)).norm(), 0.0, 1e-12);  // diagonal RF, LH: centre at the origin
+  EXPECT_NEAR((mid.com.v - Vec3(0.12, 0.0, 0.0)).norm(), 0.0, 1e-12);
+}
+
+TEST_F(PlannerTest, FootholdsAdvanceWithThePathAndAnswerToVelocity) {
+  options.path_feedback = 0.0;
+  MotionPlanner planner(options, gait_options, ReferencePath({{100.0, 0.12, 0.0}}));
+  const auto foothold = [&](double v_y) {
+    m.v_c.head<3>() = Vec3(0.12, v_y, 0.0);
+    planner.reset(m);
+    planner.update(10.0, footstep(), m);
+    GaitState lift;
+    lift.phase[0] = lift.phase[3] = LegPhase::kSwing;
+    lift.lift_off[0] = lift.lift_off[3] = true;
+    return planner.update(10.15, lift, m).foothold[0];
+  };
+  const Vec3 nominal(0.287 + 0.12 * 0.265, 0.187, 0.028);
+  EXPECT_NEAR((foothold(0.0) - nominal).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((foothold(0.2) - nominal - Vec3(0, 0.02, 0)).norm(), 0.0, 1e-12);
+}
+
+TEST_F(PlannerTest, PathFeedbackIsBounded) {
+  options.path_feedback = 1.0;
+  options.velocity_feedback = 0.0;
+  MotionPlanner planner(options, gait_options, ReferencePath({{100.0, 0.12, 0.0}}));
+  planner.reset(m);
+  planner.update(50.0, footstep(), m);  // the path is 6 m ahead
+  GaitState lift;
+  lift.phase[0] = LegPhase::kSwing;
+  lift.lift_off[0] = true;
+  EXPECT_NEAR(planner.update(50.15, lift, m).foothold[0].x(), 0.287 + 0.12 * 0.265 + 0.02, 1e-9);
+}
+
+TEST_F(PlannerTest, RefusesOptionsByName) {
+  options.path_feedback = 2.0;
+  EXPECT_THROW(MotionPlanner(options, gait_options, ReferencePath({{1.0, 0.1, 0.0}})), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace dob
