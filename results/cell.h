@@ -11,7 +11,7 @@ struct CellKey {
   std::string scenario, variant, observer, profile, gains, planner, overrides;
   int seed = 1;
 
-  friend auto operator<=>(const CellKey&, const CellKey&) = default;
+  friend auto operator<=>(const CellKey&, const CellKey&) = default;  // NOLINT(modernize-use-nullptr): a false alarm
 };
 
 enum class Outcome { kSurvived, kFell, kError };
