@@ -5,11 +5,11 @@
 // optimal for the rows added so far; a row whose multiplier reaches zero on the way is dropped. Two-sided
 // rows are handled as they are. Equality rows go in first and never leave.
 //
-// Nothing is on the heap, nothing throws, and the same input gives the same bits. The object is the
-// workspace: reuse it, but not from two threads at once. An answer is kOptimal or kInfeasible only if
-// controller/qp_certificate.h says so on the problem's own data; if it does not, the solve is repeated once
-// from the active set reached, with fresh factors and one step of iterative refinement, and failing that ends
-// as kInaccurate.
+// Nothing is on the heap, nothing throws, and the same input gives the same bits. The object is the workspace: reuse
+// it, but not from two threads at once. An answer is kOptimal or kInfeasible only if controller/qp_certificate.h says
+// so on the problem's own data; if it does not, the solve goes on, up to three times, from the active set reached, with
+// fresh factors and a step of iterative refinement, and failing that ends as kInaccurate. Rows whose normals differ by
+// less than about 1e-12 (in the metric of H^-1) count as parallel.
 #pragma once
 
 #include <limits>
@@ -41,7 +41,8 @@ class GoldfarbIdnani {
 
   explicit GoldfarbIdnani(const QpOptions& options = {}) : options_(options) { options_.validate(); }
 
-  // Cold solve. The status is also returned. After kInvalidInput everything else in `solution` is as it was.
+  // Cold solve. The status is also returned. After kInvalidInput and kSingular everything else in `solution` is as it
+  // was.
   QpStatus solve(const Problem& qp, Solution& solution) noexcept { return solve(qp, ActiveSet{}, solution); }
 
   // Warm solve from a guess of the active set, e.g. solution.active of the previous tick. Any guess is safe:
@@ -90,7 +91,7 @@ class GoldfarbIdnani {
   Vector u_;            // multiplier of active row k with that normal; >= 0 except for equalities
   int equalities_ = 0;  // the first active rows are equalities
   int iterations_ = 0;
-  Eigen::Matrix<int, MaxRows, 1> candidate_;
+  Eigen::Matrix<int, MaxRows, 1> candidate_;  // rows that were violated when last all were looked at
   int candidates_ = 0;
   bool has_equalities_ = false;
   int hopeless_row_ = -1;  // a zero row whose bounds exclude zero

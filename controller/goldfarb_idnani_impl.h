@@ -15,7 +15,7 @@ inline constexpr double kFeasibility = 1e-11;  // of the row's largest terms: be
 inline constexpr double kDependence = 1e-12;   // of |J^T n|: below it n lies in the span of the active normals
 inline constexpr double kBlocking = 1e-12;     // r_j of unit normals: below it r_j is rounding
 inline constexpr int kRetries = 3;
-inline constexpr double kSmallestNorm2 = 1e-200;
+inline constexpr double kSmallestNorm2 = 1e-200;  // of a row that is not zero
 inline constexpr double kLargestNorm2 = 1e200;
 
 template <int N, int MaxRows>
@@ -34,9 +34,7 @@ bool is_finite(const Matrix& matrix) noexcept {
 template <int N, int MaxRows>
 QpStatus GoldfarbIdnani<N, MaxRows>::solve(const Problem& qp, const ActiveSet& guess, Solution& solution) noexcept {
   if (!prepare(qp)) return solution.status = QpStatus::kInvalidInput;
-  if (!factors_.factorize(qp.H)) {
-    return solution.status = QpStatus::kSingular;
-  }
+  if (!factors_.factorize(qp.H)) return solution.status = QpStatus::kSingular;
   start(qp, guess, false);
   solution.status = judge(qp, iterate(qp), solution);
   for (int retry = 0; retry < goldfarb_idnani::kRetries && solution.status == QpStatus::kInaccurate; ++retry) {

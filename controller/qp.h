@@ -23,7 +23,8 @@ enum class QpStatus {
   kSingular,        // H is not positive definite to working precision
   kIterationLimit,  // stopped before an answer was found
   kInaccurate,      // an answer was found, but neither optimality nor infeasibility could be proved to tolerance
-  kInvalidInput,    // NaN, infinite H, g or C, lower > upper, a row count out of range, a row norm out of range
+  kInvalidInput,    // NaN, infinite H, g or C, lower > upper, a row count out of range, a non-zero row of norm beyond
+                    // 1e+-100
 };
 
 constexpr std::string_view to_string(QpStatus status) noexcept {

@@ -110,7 +110,7 @@ fs::path make_numbered(const fs::path& root) {
   }
   if (error) fail(root, "cannot read the directory", error.value());
   while (true) {
-    const fs::path dir = root / fmt::format("{:04}", ++number);
+    fs::path dir = root / fmt::format("{:04}", ++number);
     if (::mkdir(dir.c_str(), 0777) == 0) return dir;  // atomic: the number belongs to this process
     if (errno != EEXIST) fail(dir, "cannot create the directory");
   }

@@ -2,6 +2,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -76,9 +77,8 @@ Run read_run(const fs::path& dir) {
     if (cell) json.at("wall_s").get_to(cell->wall_s);
   });
   for (const CellKey& key : run.info.cells) {
-    std::optional<CellResult>& cell = cells.at(key);
+    std::optional<CellResult> cell = std::exchange(cells.at(key), std::nullopt);
     if (cell) run.cells.push_back(*std::move(cell));
-    cell.reset();
   }
   return run;
 }

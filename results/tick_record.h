@@ -10,32 +10,31 @@ namespace dob {
 // ground reaction forces of the step that follows.
 struct TickRecord {
   double t = 0.0;                  // [s]
-  double orientation_error = 0.0;  // [rad] norm of the rotation vector between reference and trunk
-  Vec2 path_position;              // [m] where the commanded path says the CoM should be, never re-planned
   Vec3 com, com_reference;         // [m] the planner's current reference
+  Vec2 path_position;              // [m] where the commanded path says the CoM should be, never re-planned
+  double orientation_error = 0.0;  // [rad] norm of the rotation vector between reference and trunk
   PerLeg<Vec3> foot;               // [m]
   PerLeg<Vec3> foot_reference;     // [m] in swing the spline, in stance the planned foothold
   PerLeg<Vec3> foothold;           // [m] planned, on the ground (without the deliberate landing offset)
-  PerLeg<Vec3> slip{};             // [m] tangential displacement of the touching foot during the step
-  Vec12 foot_force_commanded;      // [N] of the held QP solution, zero for swinging feet
-  Vec12 foot_force;                // [N] ground reaction forces measured over the step
-  Vec12 joint_torque;              // [N m] applied
-  // Estimate at t against the truth over the interval [t - dt, t] that it answers to.
-  Vec12 leg_torque_estimate;        // [N m] F_hat, if has_leg_estimate
-  Vec12 leg_torque_true;            // [N m] sum over disturbances of J_p,j^T f_p in CoM coordinates
-  Vec3 force_estimate, force_true;  // [N] if has_force_estimate
-  bool has_leg_estimate = false;
-  bool has_force_estimate = false;  // exactly one disturbance acts on a leg: F_hat mapped back to its point
-
   PerLeg<bool> stance{};           // scheduled on the ground
   PerLeg<bool> lift_off{};         // a swing begins at this tick
   PerLeg<bool> touchdown{};        // the foot landed at this tick
   bool disturbance_onset = false;  // the set of acting disturbances changed at this tick (begin, end, new draw)
   bool disturbance_active = false;
-  bool qp_solved = false;  // a QP was solved at this tick
+  Vec12 foot_force_commanded;  // [N] of the held QP solution, zero for swinging feet
+  Vec12 foot_force;            // [N] ground reaction forces measured over the step
+  PerLeg<Vec3> slip{};         // [m] tangential displacement of the touching foot during the step
+  Vec12 joint_torque;          // [N m] applied
+  int saturated_joints = 0;    // joints at their torque limit
+  // Estimate at t against the truth over the interval [t - dt, t] that it answers to.
+  bool has_leg_estimate = false;
+  Vec12 leg_torque_estimate;        // [N m] F_hat
+  Vec12 leg_torque_true;            // [N m] sum over disturbances of J_p,j^T f_p in CoM coordinates
+  bool has_force_estimate = false;  // exactly one disturbance acts on a leg: F_hat mapped back to its point
+  Vec3 force_estimate, force_true;  // [N]
+  bool qp_solved = false;           // a QP was solved at this tick
   QpStatus qp_status = QpStatus::kOptimal;
   int qp_iterations = 0;
-  int saturated_joints = 0;  // joints at their torque limit
 };
 
 }  // namespace dob

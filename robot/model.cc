@@ -1,85 +1,24 @@
 #include "robot/model.h"
 
-#include <cmath>
-
 #include <Eigen/LU>
 
 namespace dob {
 namespace {
 
-// Sums over a set of bodies, about the base origin. "rigid" marks the momentum that the bodies would have if all
-// moved with the locked velocity of the whole robot; its rate at constant locked velocity is the only place where
-// the time derivative of A = M_bb^-1 M_bq enters.
-struct Sums {
-  double mass = 0.0;
-  Vec3 first_moment = Vec3::Zero();  // sum m r
-  Mat3 inertia = Mat3::Zero();       // about the base origin
-  Vec3 force = Vec3::Zero();         // of the bias forces h
-  Vec3 moment = Vec3::Zero();
-  Vec3 linear = Vec3::Zero();  // momentum
-  Vec3 angular = Vec3::Zero();
+constexpr int kPasses = kLegs / kLanes;
+using AllLegTerms = std::array<LanesLegTerms, kPasses>;
 
-  Sums& operator+=(const Sums& o) noexcept {
-    mass += o.mass;
-    first_moment += o.first_moment;
-    inertia += o.inertia;
-    force += o.force;
-    moment += o.moment;
-    linear += o.linear;
-    angular += o.angular;
-    return *this;
-  }
+// One column of A_c and of X^-T M_bq (momentum about the CoM) per joint.
+struct LanesCentroidalJoint {
+  LanesVec3 A_linear, A_angular;
+  LanesVec3 linear, angular;
 };
+using LanesCentroidalLeg = std::array<LanesCentroidalJoint, kJointsPerLeg>;
 
-struct RigidSums {
-  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();            // momentum at the locked velocity
-  Vec3 linear_rate = Vec3::Zero(), angular_rate = Vec3::Zero();  // its rate at constant locked velocity
-
-  RigidSums& operator+=(const RigidSums& o) noexcept {
-    linear += o.linear;
-    angular += o.angular;
-    linear_rate += o.linear_rate;
-    angular_rate += o.angular_rate;
-    return *this;
-  }
+// A force-like 6-vector about the CoM, in every lane.
+struct LanesWrench {
+  LanesVec3 linear, angular;
 };
-
-// Motion of one body's centre of mass, relative to the base origin.
-struct BodyMotion {
-  double mass;
-  Vec3 r;        // [m] from the base origin
-  Vec3 v;        // [m/s] absolute
-  Vec3 omega;    // [rad/s]
-  Mat3 inertia;  // about the centre of mass, axes of W
-};
-
-Sums body_sums(const BodyMotion& b, const Vec3& a_bias, const Vec3& alpha_bias) noexcept {
-  Sums s;
-  const Vec3 mr = b.mass * b.r;
-  const Vec3 I_omega = b.inertia * b.omega;
-  s.mass = b.mass;
-  s.first_moment = mr;
-  s.inertia = b.inertia - mr * b.r.transpose();
-  s.inertia.diagonal().array() += mr.dot(b.r);
-  s.force = b.mass * (a_bias + Vec3(0.0, 0.0, kGravity));
-  s.moment = b.inertia * alpha_bias + b.omega.cross(I_omega) + b.r.cross(s.force);
-  s.linear = b.mass * b.v;
-  s.angular = I_omega + b.r.cross(s.linear);
-  return s;
-}
-
-RigidSums body_rigid_sums(const BodyMotion& b, const Vec3& v_base, const Vec3& v_locked,
-                          const Vec3& omega_locked) noexcept {
-  RigidSums s;
-  const Vec3 r_dot = b.v - v_base;
-  const Vec3 I_omega = b.inertia * omega_locked;
-  s.linear = b.mass * (v_locked + omega_locked.cross(b.r));
-  s.angular = I_omega + b.r.cross(s.linear);
-  s.linear_rate = b.mass * omega_locked.cross(r_dot);
-  s.angular_rate = b.omega.cross(I_omega) - b.inertia * b.omega.cross(omega_locked) + r_dot.cross(s.linear) +
-                   b.r.cross(s.linear_rate);
-  return s;
-}
 
 // Shifts a force-like 6-vector from the base origin to the CoM at c (relative to the base origin): X^-T w.
 Vec6 shift_to_com(const Vec3& force, const Vec3& moment, const Vec3& c) noexcept {
@@ -88,188 +27,181 @@ Vec6 shift_to_com(const Vec3& force, const Vec3& moment, const Vec3& c) noexcept
   return w;
 }
 
-LegPoint foot_point(const std::array<LinkKinematics, kJointsPerLeg>& chain, const Vec3& r_foot) noexcept {
-  const LinkKinematics& lower = chain[kJointsPerLeg - 1];
-  LegPoint foot;
-  foot.p = lower.p_WL + r_foot;
-  foot.v = lower.v + lower.omega.cross(r_foot);
-  foot.Jdot_v = lower.a_bias + lower.alpha_bias.cross(r_foot) + lower.omega.cross(lower.omega.cross(r_foot));
-  for (int k = 0; k < kJointsPerLeg; ++k) foot.J_q.col(k) = chain[k].axis_W.cross(foot.p - chain[k].p_WL);
-  return foot;
+LanesWrench broadcast_wrench(const Vec6& w) noexcept {
+  return {broadcast(Vec3(w.head<3>())), broadcast(Vec3(w.tail<3>()))};
 }
 
-// The contact point stays below the centre while the sphere rolls, so its acceleration has no centripetal term:
-// d/dt(v + omega x (-r z)) at v_dot = 0.
-LegPoint contact_point(const std::array<LinkKinematics, kJointsPerLeg>& chain, const LegPoint& foot,
-                       double radius) noexcept {
-  const LinkKinematics& lower = chain[kJointsPerLeg - 1];
-  const Vec3 down(0.0, 0.0, -radius);
-  LegPoint contact;
-  contact.p = foot.p + down;
-  contact.v = foot.v + lower.omega.cross(down);
-  contact.Jdot_v = foot.Jdot_v + lower.alpha_bias.cross(down);
-  for (int k = 0; k < kJointsPerLeg; ++k) contact.J_q.col(k) = foot.J_q.col(k) + chain[k].axis_W.cross(down);
-  return contact;
+// Row of A_c^T w.
+Lanes project(const LanesCentroidalJoint& j, const LanesWrench& w) noexcept {
+  return dot(j.A_linear, w.linear) + dot(j.A_angular, w.angular);
+}
+
+// Base rows of the full space and centroidal quantities. Returns the CoM relative to the base origin.
+Vec3 store_base(const LanesSums& lanes, ModelTerms& t) noexcept {
+  const Vec3 first_moment = sum_lanes(lanes.first_moment), linear = sum_lanes(lanes.linear);
+  const Vec3 force = sum_lanes(lanes.force), moment = sum_lanes(lanes.moment), angular = sum_lanes(lanes.angular);
+  const Mat3 inertia = sum_lanes(lanes.inertia);
+  const Mat3 first = skew(first_moment);
+  t.M_bb << t.mass * Mat3::Identity(), -first, first, inertia;
+  t.h_b << force, moment;
+  t.p_b << linear, angular;
+  t.CTv_b << Vec3::Zero(), linear.cross(t.state.v_WB);
+
+  const Vec3 c = first_moment / t.mass;
+  t.p_com = t.state.p_WB + c;
+  t.I_c = inertia + first_moment * c.transpose();
+  t.I_c.diagonal().array() -= first_moment.dot(c);
+  t.I_c_inv = t.I_c.inverse();
+  t.L = angular - c.cross(linear);
+  t.v_c << linear / t.mass, t.I_c_inv * t.L;
+  t.h_c_centrifugal = shift_to_com(force, moment, c);
+  t.h_c_centrifugal[2] -= t.mass * kGravity;
+  return c;
+}
+
+LanesCentroidalLeg centroidal_columns(const LanesLegTerms& legs, const Vec3& com, int first_leg,
+                                      ModelTerms& t) noexcept {
+  const Lanes inverse_mass = broadcast(1.0 / t.mass);
+  const LanesSym3 I_c_inv = broadcast_symmetric(t.I_c_inv);
+  const LanesVec3 c = broadcast(com);
+  LanesCentroidalLeg columns;
+  for (int k = 0; k < kJointsPerLeg; ++k) {
+    LanesCentroidalJoint& j = columns[k];
+    j.linear = legs.joints[k].linear;
+    j.angular = legs.joints[k].angular - cross(c, j.linear);
+    j.A_linear = inverse_mass * j.linear;
+    j.A_angular = I_c_inv * j.angular;
+    const int row = 3 * first_leg + k;
+    store(j.A_linear, t.A_c.col(row).head<3>(), t.A_c.col(row + 3).head<3>());
+    store(j.A_angular, t.A_c.col(row).tail<3>(), t.A_c.col(row + 3).tail<3>());
+  }
+  return columns;
+}
+
+// Entry of M_qq - M_qb M_bb^-1 M_bq between joints of the same lane, without M_qq.
+Lanes coupling(const LanesCentroidalJoint& a, const LanesCentroidalJoint& b) noexcept {
+  return -(dot(a.A_linear, b.linear) + dot(a.A_angular, b.angular));
+}
+
+LanesCentroidalJoint swap_lanes(const LanesCentroidalJoint& j) noexcept {
+  return {swap_lanes(j.A_linear), swap_lanes(j.A_angular), swap_lanes(j.linear), swap_lanes(j.angular)};
+}
+
+// The symmetric matrix M_q: lane times same lane gives the blocks of legs (0, 0), (1, 1) and (0, 2), (1, 3); lane
+// times other lane those of (0, 1), (2, 3) and (0, 3), (1, 2).
+void store_leg_inertia(const AllLegTerms& terms, const std::array<LanesCentroidalLeg, kPasses>& columns,
+                       Mat12& M_q) noexcept {
+  const auto put = [&M_q](int row, int column, double value) { M_q(row, column) = M_q(column, row) = value; };
+  for (int k = 0; k < kJointsPerLeg; ++k) {
+    std::array<LanesCentroidalJoint, kPasses> swapped;
+    for (int p = 0; p < kPasses; ++p) {
+      swapped[p] = swap_lanes(columns[p][k]);
+      const int row = 6 * p;
+      for (int i = 0; i <= k; ++i) {
+        const Lanes own = coupling(columns[p][i], columns[p][k]) + terms[p].joints[k].M_qq[i];
+        const Lanes other = coupling(columns[p][i], swapped[p]);
+        put(row + i, row + k, own[0]);
+        put(row + 3 + i, row + 3 + k, own[1]);
+        put(row + i, row + 3 + k, other[0]);
+        put(row + 3 + i, row + k, other[1]);
+      }
+    }
+    for (int i = 0; i < kJointsPerLeg; ++i) {
+      const Lanes same = coupling(columns[0][i], columns[1][k]);
+      const Lanes other = coupling(columns[0][i], swapped[1]);
+      put(i, 6 + k, same[0]);
+      put(3 + i, 9 + k, same[1]);
+      put(i, 9 + k, other[0]);
+      put(3 + i, 6 + k, other[1]);
+    }
+  }
+}
+
+// What the base contributes to the joint rows.
+struct LanesBase {
+  LanesWrench bias, momentum, rate;  // h_b, p_b and (C^T v)_b - d/dt(M_bb) v_locked, about the CoM
+  LanesWrench locked;                // locked velocity M_bb^-1 p_b, at the base origin
+};
+
+// Joint rows of (1): c_q = h_q - A^T h_b, rho = p_q - A^T p_b, and the bracket of (3): (C^T v)_q - A^T (C^T v)_b -
+// Adot^T p_b, with Adot^T p_b = d/dt(M_qb) v_locked - A^T d/dt(M_bb) v_locked.
+void store_joint_rows(const LanesLegTerms& legs, const LanesCentroidalLeg& columns, const LanesBase& base,
+                      int first_leg, ModelTerms& t) noexcept {
+  for (int k = 0; k < kJointsPerLeg; ++k) {
+    const LanesJoint& joint = legs.joints[k];
+    const Lanes locked_rate = dot(joint.linear_rate, base.locked.linear) + dot(joint.angular_rate, base.locked.angular);
+    const Lanes c_q = joint.h - project(columns[k], base.bias);
+    const Lanes rho = joint.p - project(columns[k], base.momentum);
+    const Lanes CqT_qd = joint.CTv - locked_rate - project(columns[k], base.rate);
+    for (int n = 0; n < kLanes; ++n) {
+      const int row = kJointsPerLeg * (first_leg + n) + k;
+      t.c_q[row] = c_q[n];
+      t.rho[row] = rho[n];
+      t.CqT_qd[row] = CqT_qd[n];
+    }
+  }
 }
 
 }  // namespace
 
 Model::Model(const RobotDescription& robot) : robot_(robot), mass_(robot.total_mass()) {
-  const auto body = [](const LinkInertia& i) { return Body{i.mass, i.com, i.inertia}; };
-  trunk_ = body(robot.trunk.inertia);
+  // The trunk counts once: it sits in the first lane, the second one stays without mass.
+  const LinkInertia& trunk = robot.trunk.inertia;
+  const Lanes first{1.0, 0.0};
+  trunk_ = {first * trunk.mass, broadcast(trunk.com), first * broadcast_symmetric(trunk.inertia)};
   for (int l = 0; l < kLegs; ++l) {
+    const int n = l % kLanes;
     const LegDescription& leg = robot.legs[l];
+    LanesLeg& lanes = legs_[l / kLanes];
     for (int k = 0; k < kJointsPerLeg; ++k) {
-      const Mat3 s = skew(leg.joints[k].axis);
-      legs_[l].joints[k] = {leg.joints[k].axis, leg.joints[k].origin, s, s * s};
-      legs_[l].links[k] = body(leg.links[k].inertia);
+      LanesLink& link = lanes.links[k];
+      const LinkInertia& inertia = leg.links[k].inertia;
+      set_lane(link.joint_origin, n, leg.joints[k].origin);
+      set_lane(link.joint_axis, n, leg.joints[k].axis);
+      link.body.mass[n] = inertia.mass;
+      set_lane(link.body.com, n, inertia.com);
+      set_lane(link.body.inertia, n, inertia.inertia);
     }
-    legs_[l].foot_center = leg.foot_center;
-    legs_[l].foot_radius = leg.foot_radius;
+    set_lane(lanes.foot_center, n, leg.foot_center);
+    lanes.foot_radius[n] = leg.foot_radius;
   }
 }
 
 void Model::compute(const RobotState& state, ModelTerms& t) const noexcept {
   t.state = state;
   t.mass = mass_;
-  const Vec3& v_base = state.v_WB;
-  const Vec3& omega_base = state.omega_WB;
 
-  // Trunk.
-  BodyMotion trunk;
-  trunk.mass = trunk_.mass;
-  trunk.r = state.R_WB * trunk_.com;
-  trunk.omega = omega_base;
-  trunk.v = v_base + omega_base.cross(trunk.r);
-  trunk.inertia = state.R_WB * trunk_.inertia * state.R_WB.transpose();
-  Sums total = body_sums(trunk, omega_base.cross(omega_base.cross(trunk.r)), Vec3::Zero());
-
-  // Legs, outwards: kinematics; inwards: subtree sums.
-  PerLeg<std::array<BodyMotion, kJointsPerLeg>> bodies;
-  for (int l = 0; l < kLegs; ++l) {
-    const LegModel& leg = legs_[l];
-    auto& chain = t.link[l];
-    std::array<Sums, kJointsPerLeg> subtree;
-    const Mat3* R_parent = &state.R_WB;
-    Vec3 omega = omega_base;
-    Vec3 alpha = Vec3::Zero();
-    Vec3 origin = Vec3::Zero();  // relative to the base origin
-    Vec3 v = v_base;
-    Vec3 a = Vec3::Zero();
-    for (int k = 0; k < kJointsPerLeg; ++k) {
-      const Joint& joint = leg.joints[k];
-      const double q = state.q[3 * l + k];
-      const double qd = state.qd[3 * l + k];
-      LinkKinematics& link = chain[k];
-      const Vec3 d = *R_parent * joint.origin;
-      origin += d;
-      v += omega.cross(d);
-      a += alpha.cross(d) + omega.cross(omega.cross(d));
-      const Vec3 axis = *R_parent * joint.axis;
-      alpha += omega.cross(axis) * qd;
-      omega += axis * qd;
-      Mat3 rotation = std::sin(q) * joint.skew_axis + (1.0 - std::cos(q)) * joint.skew_axis_squared;
-      rotation.diagonal().array() += 1.0;
-      link.R_WL.noalias() = *R_parent * rotation;
-      link.p_WL = state.p_WB + origin;
-      link.axis_W = axis;
-      link.omega = omega;
-      link.v = v;
-      link.alpha_bias = alpha;
-      link.a_bias = a;
-      R_parent = &link.R_WL;
-
-      const Body& body = leg.links[k];
-      BodyMotion& motion = bodies[l][k];
-      const Vec3 r = link.R_WL * body.com;
-      motion.mass = body.mass;
-      motion.r = origin + r;
-      motion.v = v + omega.cross(r);
-      motion.omega = omega;
-      motion.inertia = link.R_WL * body.inertia * link.R_WL.transpose();
-      subtree[k] = body_sums(motion, a + alpha.cross(r) + omega.cross(omega.cross(r)), alpha);
-    }
-    for (int k = kJointsPerLeg - 1; k >= 0; --k) {
-      if (k + 1 < kJointsPerLeg) subtree[k] += subtree[k + 1];
-      const Sums& s = subtree[k];
-      const int row = 3 * l + k;
-      const Vec3& axis = chain[k].axis_W;
-      const Vec3 o = chain[k].p_WL - state.p_WB;
-      // Column of M_bq: momentum of the subtree when this joint alone turns at unit rate.
-      const Vec3 linear = axis.cross(s.first_moment - s.mass * o);
-      const Vec3 angular = s.inertia * axis - s.first_moment.cross(axis.cross(o));
-      t.M_bq.col(row) << linear, angular;
-      for (int i = 0; i <= k; ++i) {
-        const Vec3 o_i = chain[i].p_WL - state.p_WB;
-        t.M_qq[l](i, k) = t.M_qq[l](k, i) = chain[i].axis_W.dot(angular - o_i.cross(linear));
-      }
-      const Vec3 angular_o = s.angular - o.cross(s.linear);  // momentum about the joint's origin
-      t.h_q[row] = axis.dot(s.moment - o.cross(s.force));
-      t.p_q[row] = axis.dot(angular_o);
-      t.CTv_q[row] = chain[k].omega.cross(axis).dot(angular_o) + chain[k].v.cross(axis).dot(s.linear);
-    }
-    total += subtree[0];
-    const Vec3 r_foot = chain[kJointsPerLeg - 1].R_WL * leg.foot_center;
-    t.foot[l] = foot_point(chain, r_foot);
-    t.contact[l] = contact_point(chain, t.foot[l], leg.foot_radius);
+  LanesMotion base{};
+  base.R_WL = broadcast(state.R_WB);
+  base.omega = broadcast(state.omega_WB);
+  base.v = broadcast(state.v_WB);
+  LanesSums total = body_sums(trunk_, base, base.v);
+  AllLegTerms legs;
+  for (int p = 0; p < kPasses; ++p) {
+    legs[p] = compute_legs(legs_[p], base, kLanes * p, t);
+    total += legs[p].sums;
   }
+  const Vec3 c = store_base(total, t);
+  std::array<LanesCentroidalLeg, kPasses> columns;
+  for (int p = 0; p < kPasses; ++p) columns[p] = centroidal_columns(legs[p], c, kLanes * p, t);
+  store_leg_inertia(legs, columns, t.M_q);
 
-  // Base rows of the full space.
-  const Mat3 first = skew(total.first_moment);
-  t.M_bb << total.mass * Mat3::Identity(), -first, first, total.inertia;
-  t.h_b << total.force, total.moment;
-  t.p_b << total.linear, total.angular;
-  t.CTv_b << Vec3::Zero(), total.linear.cross(v_base);
+  // Momentum that the robot would have if it moved with its locked velocity M_bb^-1 p_b, and its rate at constant
+  // locked velocity: the only place where the time derivative of A enters.
+  const Vec3 omega_locked = t.v_c.tail<3>();
+  const Vec3 v_locked = t.v_c.head<3>() - omega_locked.cross(c);  // at the base origin
+  const Vec3 first_moment_rate = t.p_b.head<3>() - mass_ * state.v_WB;
+  const Vec3 linear_rate = omega_locked.cross(first_moment_rate);
+  const Vec3 angular_rate = sum_lanes(total.inertia_rate) * omega_locked + first_moment_rate.cross(v_locked);
+  t.Idot_omega = angular_rate - (t.v_c.head<3>() - state.v_WB).cross(t.p_b.head<3>()) - c.cross(linear_rate);
 
-  // Centroidal quantities.
-  const Vec3 c = total.first_moment / total.mass;
-  t.p_com = state.p_WB + c;
-  t.I_c = total.inertia + total.mass * c * c.transpose();
-  t.I_c.diagonal().array() -= total.mass * c.dot(c);
-  t.I_c_inv = t.I_c.inverse();
-  t.L = total.angular - c.cross(total.linear);
-  const Vec3 v_com = total.linear / total.mass;
-  const Vec3 omega_locked = t.I_c_inv * t.L;
-  t.v_c << v_com, omega_locked;
-  Mat6x12 momentum_columns;  // of M_bq, about the CoM
-  momentum_columns.topRows<3>() = t.M_bq.topRows<3>();
-  momentum_columns.bottomRows<3>().noalias() = t.M_bq.bottomRows<3>() - skew(c) * t.M_bq.topRows<3>();
-  t.A_c.topRows<3>() = momentum_columns.topRows<3>() / total.mass;
-  t.A_c.bottomRows<3>().noalias() = t.I_c_inv * momentum_columns.bottomRows<3>();
-
-  // Joint rows of (1): M_q = M_qq - M_bq^T A, c_q = h_q - A^T h_b, rho = p_q - A^T p_b.
-  t.M_q.noalias() = -t.A_c.transpose() * momentum_columns;
-  for (int l = 0; l < kLegs; ++l) t.M_q.block<3, 3>(3 * l, 3 * l) += t.M_qq[l];
-  const Vec6 h_c = shift_to_com(total.force, total.moment, c);
-  t.c_q.noalias() = t.h_q - t.A_c.transpose() * h_c;
-  t.h_c_centrifugal = h_c;
-  t.h_c_centrifugal[2] -= total.mass * kGravity;
-  Vec6 momentum_c;
-  momentum_c << total.linear, t.L;
-  t.rho.noalias() = t.p_q - t.A_c.transpose() * momentum_c;
-
-  // Bracket of (3): (C^T v)_q - A^T (C^T v)_b - Adot^T p_b, with Adot^T p_b = d/dt(M_qb) v_locked
-  // - A^T d/dt(M_bb) v_locked.
-  const Vec3 v_locked = v_com - omega_locked.cross(c);  // at the base origin
-  RigidSums rigid_total = body_rigid_sums(trunk, v_base, v_locked, omega_locked);
-  Vec12 rigid_rate;
-  for (int l = 0; l < kLegs; ++l) {
-    RigidSums s;
-    for (int k = kJointsPerLeg - 1; k >= 0; --k) {
-      s += body_rigid_sums(bodies[l][k], v_base, v_locked, omega_locked);
-      const LinkKinematics& link = t.link[l][k];
-      const Vec3 o = link.p_WL - state.p_WB;
-      rigid_rate[3 * l + k] =
-          link.omega.cross(link.axis_W).dot(s.angular - o.cross(s.linear)) +
-          link.axis_W.dot(s.angular_rate - (link.v - v_base).cross(s.linear) - o.cross(s.linear_rate));
-    }
-    rigid_total += s;
+  const LanesWrench bias = broadcast_wrench(shift_to_com(t.h_b.head<3>(), t.h_b.tail<3>(), c));
+  const LanesWrench momentum{broadcast(Vec3(t.p_b.head<3>())), broadcast(t.L)};
+  const LanesWrench base_rate = broadcast_wrench(shift_to_com(-linear_rate, t.CTv_b.tail<3>() - angular_rate, c));
+  const LanesWrench locked{broadcast(v_locked), broadcast(omega_locked)};
+  for (int p = 0; p < kPasses; ++p) {
+    store_joint_rows(legs[p], columns[p], {bias, momentum, base_rate, locked}, kLanes * p, t);
   }
-  const Vec3 base_moment = t.CTv_b.tail<3>() - rigid_total.angular_rate;
-  const Vec6 base_rate = shift_to_com(-rigid_total.linear_rate, base_moment, c);
-  t.CqT_qd.noalias() = t.CTv_q - rigid_rate - t.A_c.transpose() * base_rate;
-  t.Idot_omega =
-      rigid_total.angular_rate - (v_com - v_base).cross(rigid_total.linear) - c.cross(rigid_total.linear_rate);
 }
 
 }  // namespace dob

@@ -43,8 +43,8 @@ void model_tick_mujoco(benchmark::State& state) {
 }  // namespace
 
 void add_model_benchmarks() {
-  benchmark::RegisterBenchmark("model_tick", model_tick)->UseManualTime()->Unit(benchmark::kMicrosecond);
-  benchmark::RegisterBenchmark("model_tick/mujoco", model_tick_mujoco)->UseManualTime()->Unit(benchmark::kMicrosecond);
+  benchmark::RegisterBenchmark("model_tick", model_tick)->Unit(benchmark::kMicrosecond);
+  benchmark::RegisterBenchmark("model_tick/mujoco", model_tick_mujoco)->Unit(benchmark::kMicrosecond);
 }
 
 }  // namespace dob::micro

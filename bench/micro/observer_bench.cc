@@ -25,10 +25,9 @@ void observer_update(benchmark::State& state, const std::string& name) {
 void add_observer_benchmarks() {
   for (const ObserverInfo& info : built_in_observers()) {
     const std::string name(info.name);
-    benchmark::RegisterBenchmark(("observer_update/" + name).c_str(),
-                                 [name](benchmark::State& state) { observer_update(state, name); })
-        ->UseManualTime()
-        ->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark(("observer_update/" + name).c_str(), [name](benchmark::State& state) {
+      observer_update(state, name);
+    })->Unit(benchmark::kMicrosecond);
   }
 }
 

@@ -82,7 +82,7 @@ void qp_alglib(benchmark::State& state, int standing, const test::AlglibAul& set
 
 void add_qp_benchmarks() {
   const auto add = [](const std::string& name, auto function) {
-    benchmark::RegisterBenchmark(name.c_str(), function)->UseManualTime()->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark(name.c_str(), function)->Unit(benchmark::kMicrosecond);
   };
   for (const auto& [name, standing] : {std::pair{"stance", 4}, std::pair{"trot_swing", 2}}) {
     const std::string prefix = std::string("qp/") + name;

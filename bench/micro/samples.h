@@ -26,14 +26,13 @@ void measure(benchmark::State& state, Call&& call, int batch = kBatch) {
   const test::AllocationCounter allocations;
   long allocated = 0;
   long n = 0;
-  for (auto _ : state) {
+  while (state.KeepRunningBatch(batch)) {
     const long before = allocations.count();
     const auto start = Clock::now();
     for (int k = 0; k < batch; ++k) call(n++);
     const auto stop = Clock::now();
     allocated += allocations.count() - before;
     const double seconds = std::chrono::duration<double>(stop - start).count() / batch;
-    state.SetIterationTime(seconds);
     if (samples.size() < kMaxSamples) samples.push_back(1e6 * seconds);
   }
   std::sort(samples.begin(), samples.end());

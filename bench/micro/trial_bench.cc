@@ -68,8 +68,8 @@ void trial_case(benchmark::State& state, const std::string& name) {
 }  // namespace
 
 void add_trial_benchmarks() {
-  benchmark::RegisterBenchmark("control_tick", control_tick)->UseManualTime()->Unit(benchmark::kMicrosecond);
-  benchmark::RegisterBenchmark("ode_step", ode_step)->UseManualTime()->Unit(benchmark::kMicrosecond);
+  benchmark::RegisterBenchmark("control_tick", control_tick)->Unit(benchmark::kMicrosecond);
+  benchmark::RegisterBenchmark("ode_step", ode_step)->Unit(benchmark::kMicrosecond);
   benchmark::RegisterBenchmark("trial/case1", [](benchmark::State& s) { trial_case(s, "case1/knee_lateral"); })
       ->Unit(benchmark::kMillisecond)
       ->Iterations(1);
