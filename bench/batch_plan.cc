@@ -57,8 +57,10 @@ BatchPlan plan_batch(const BatchRequest& request) {
           for (const std::string& profile : profiles) {
             const ObserverConfig observer = load_observer(specification, profile, scenario.sim.dt);
             for (int seed = request.first_seed; seed <= request.last_seed; ++seed) {
-              const CellKey key{scenario.name, scenario.variant,      specification, observer.profile,
-                                gains,         scenario.planner_kind, overrides,     seed};
+              const CellKey key{scenario.name, scenario.variant,
+                                specification, observer.profile,
+                                gains,         std::string(to_string(scenario.planner.kind)),
+                                overrides,     seed};
               if (!planned.insert(key).second) continue;
               plan.cells.push_back({key, plan.scenarios.size() - 1, observer});
             }

@@ -5,6 +5,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "controller/support_polygon.h"
+
 namespace dob {
 namespace {
 
@@ -60,10 +62,12 @@ const TickRecord& Recorder::record(double t, const ModelTerms& m, const Locomoti
   for (int l = 0; l < kLegs; ++l) {
     r.foot[l] = m.foot[l].p;
     r.foothold[l] = reference.foothold[l];
+    r.foothold_clamped[l] = reference.clamped[l];
     r.foot_reference[l] = r.stance[l] ? reference.foothold[l] : reference.foot[l].p;
     r.foot_force.segment<3>(3 * l) = step.foot_force_W[l];
     r.slip[l] = step.foot_slip_W[l] * dt_;
   }
+  record_balance(m, controller);
   r.foot_force_commanded = controller.solution().foot_force;
   r.joint_torque = step.joint_torque;
   r.saturated_joints = static_cast<int>((step.joint_torque.array().abs() >= torque_limit_.array()).count());
@@ -80,6 +84,22 @@ const TickRecord& Recorder::record(double t, const ModelTerms& m, const Locomoti
   r.qp_status = command.qp_status;
   r.qp_iterations = command.qp_iterations;
   return r;
+}
+
+void Recorder::record_balance(const ModelTerms& m, const LocomotionController& controller) noexcept {
+  TickRecord& r = record_;
+  PerLeg<Vec2> feet;
+  Vec2 moment = Vec2::Zero();
+  double normal = 0.0;
+  for (int l = 0; l < kLegs; ++l) {
+    feet[l] = m.contact[l].p.head<2>();
+    moment += r.foot_force[3 * l + 2] * feet[l];
+    normal += r.foot_force[3 * l + 2];
+  }
+  r.zmp_reference = zero_moment_point(controller.reference().com);
+  r.zmp_margin =
+      support_polygon(r.stance, feet, controller.planner().options().zmp.line_half_width).margin(r.zmp_reference);
+  r.center_of_pressure = moment / normal;
 }
 
 void Recorder::record_estimate(const Estimate& estimate) noexcept {

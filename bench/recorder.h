@@ -23,6 +23,7 @@ class Recorder {
                            std::span<const AppliedForce> forces) noexcept;
 
  private:
+  void record_balance(const ModelTerms& m, const LocomotionController& controller) noexcept;
   void record_estimate(const Estimate& estimate) noexcept;
   void remember_truth(const ModelTerms& m, std::span<const AppliedForce> forces) noexcept;
 

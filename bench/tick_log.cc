@@ -23,11 +23,12 @@ std::string header() {
   std::string line = "t_s";
   append_names(line, "com", "m");
   append_names(line, "com_reference", "m");
-  line += ",path_x_m,path_y_m,orientation_error_rad";
+  line += ",path_x_m,path_y_m,orientation_error_rad,zmp_reference_x_m,zmp_reference_y_m,zmp_margin_m,cop_x_m,cop_y_m";
   for (const std::string_view leg : kLegNames) {
     fmt::format_to(std::back_inserter(line), ",{}_stance", leg);
     append_names(line, fmt::format("{}_foot", leg), "m");
     append_names(line, fmt::format("{}_foot_reference", leg), "m");
+    fmt::format_to(std::back_inserter(line), ",{}_foothold_clamped", leg);
     append_names(line, fmt::format("{}_force_commanded", leg), "N");
     append_names(line, fmt::format("{}_force", leg), "N");
     for (const std::string_view what : {"torque", "estimate", "true_disturbance"}) {
@@ -56,10 +57,14 @@ void TickLog::add(const TickRecord& r) {
   append(line_, r.com_reference);
   append(line_, r.path_position);
   fmt::format_to(std::back_inserter(line_), ",{}", r.orientation_error);
+  append(line_, r.zmp_reference);
+  fmt::format_to(std::back_inserter(line_), ",{}", r.zmp_margin);
+  append(line_, r.center_of_pressure);
   for (int l = 0; l < kLegs; ++l) {
     fmt::format_to(std::back_inserter(line_), ",{}", r.stance[l] ? 1 : 0);
     append(line_, r.foot[l]);
     append(line_, r.foot_reference[l]);
+    fmt::format_to(std::back_inserter(line_), ",{}", r.foothold_clamped[l] ? 1 : 0);
     append(line_, r.foot_force_commanded.segment<3>(3 * l));
     append(line_, r.foot_force.segment<3>(3 * l));
     append(line_, r.joint_torque.segment<3>(3 * l));

@@ -51,15 +51,15 @@ Trial::Trial(const Scenario& scenario, const ObserverConfig& observer, int seed)
       observer_(make_observer(observer.observer, observer.options, scenario.sim.dt)),
       controller_(locomotion_options(scenario, observer.routing), ReferencePath(scenario.path), scenario.sim.dt),
       recorder_(robot_, scenario_) {
-  RobotState initial = standing_pose(model_, scenario_.planner.com_height, scenario_.planner.foot_offset_x,
-                                     scenario_.planner.foot_offset_y, scenario_.robot.posture);
+  RobotState initial = standing_pose(model_, scenario_.planner.com_height, scenario_.planner.footsteps.foot_offset_x,
+                                     scenario_.planner.footsteps.foot_offset_y, scenario_.robot.posture);
   nominal_height_ = initial.p_WB.z();
   apply_seed(initial);
   forces_.resize(scenario_.disturbances.size());
   simulator_.reset(initial);
   model_.compute(initial, *now_);
   observer_->reset(*now_);
-  controller_.reset(*now_, initial_footstep_time_, other_diagonal_first_);
+  controller_.reset(*now_, initial_footstep_time_, first_step_);
 }
 
 Trial::~Trial() = default;
@@ -70,8 +70,8 @@ void Trial::apply_seed(RobotState& initial) {
   std::mt19937_64 random(static_cast<std::uint64_t>(seed_));
   const auto uniform = [&random] { return static_cast<double>(random() >> 11U) * 0x1.0p-53; };
   const SeedVariation& v = scenario_.seed_variation;
-  initial_footstep_time_ = v.gait_phase * uniform() * scenario_.gait.stance_duration;
-  other_diagonal_first_ = uniform() < 0.5;
+  initial_footstep_time_ = v.gait_phase * uniform() * scenario_.gait.pattern.stance_duration;
+  first_step_ = uniform() < 0.5 ? 1 : 0;
   for (int i = 0; i < 2; ++i) {
     initial.p_WB[i] += v.position * (2.0 * uniform() - 1.0);
     initial.v_WB[i] += v.velocity * (2.0 * uniform() - 1.0);

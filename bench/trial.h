@@ -49,7 +49,7 @@ class Trial {
   std::unique_ptr<DisturbanceObserver> observer_;
   LocomotionController controller_;
   double initial_footstep_time_ = 0.0;
-  bool other_diagonal_first_ = false;
+  int first_step_ = 0;
 
   std::array<ModelTerms, 2> terms_;  // at the start and at the end of a control interval, swapped every tick
   ModelTerms* start_ = &terms_[0];

@@ -20,7 +20,7 @@ class LocomotionController {
   LocomotionController(const LocomotionOptions& options, const ReferencePath& path, double dt);
 
   // Standing at `m`; see GaitScheduler::reset for the gait's phase.
-  void reset(const ModelTerms& m, double initial_footstep_time = 0.0, bool other_diagonal_first = false) noexcept;
+  void reset(const ModelTerms& m, double initial_footstep_time = 0.0, int first_step = 0) noexcept;
 
   // One tick: the model at the present state, the foot forces measured over the last step [N], the observer's estimate.
   // Returns the torques [N m] for the next step.
@@ -32,6 +32,7 @@ class LocomotionController {
   const WbcSolution& solution() const noexcept { return wbc_.solution(); }
   const WbcProblem& last_problem() const noexcept { return wbc_.last_problem(); }
   const ReferencePath& path() const noexcept { return planner_.path(); }
+  const MotionPlanner& planner() const noexcept { return planner_; }
 
  private:
   double dt_;

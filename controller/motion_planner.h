@@ -1,30 +1,39 @@
-// Motion planner, `spline` variant (section 4.1 without the ZMP optimisation): planned once per footstep from the
-// measured state, never again at lift-off.
+// Motion planner (section 4.1): what CoM, trunk and feet shall do, from the measured state and the commanded path.
 //
-// CoM: a cubic over the stance phase from the measured CoM state to c_B - v T_sw / 2 at velocity v, then constant
-// velocity through the swing, so that the CoM crosses the centre c_B of the supporting diagonal in mid-swing.
-// Footholds: where the feet's nominal positions will be in the middle of the swing after next, plus feedback of the CoM
-// velocity and of the distance from the path. Heading and velocity are the path's; positions are relative to the feet
-// that stand, so that a push shifts the plan and only the path feedback brings it back.
-// Valid for level ground at z = 0 of W (the expected ground; the terrain is unknown to the planner).
+// Three planners of the CoM's horizontal motion share footholds, swing feet and height:
+//   zmp          ours: the ZMP optimisation (zmp_plan.h) once per footstep, over stance and swing together
+//   spline       once per footstep: a cubic over the stance phase, then constant velocity, no look at the ZMP
+//   paper_split  section 4.1 to the letter: a cubic to the centre of the support polygon during stance (4.1.1), the
+//                ZMP optimisation again at every lift-off (4.1.2), trunk attitude re-planned by a cubic as well
+// The regularised path that the optimisation stays close to is the spline planner's motion, footstep after footstep.
+// It crosses the supporting diagonal of a trot in mid-swing; with three feet down (crawl) it rests inside the
+// triangle. Valid for level ground at z = 0 of W.
 #pragma once
 
+#include "controller/com_trajectory.h"
 #include "controller/cubic.h"
+#include "controller/footstep_plan.h"
 #include "controller/gait_scheduler.h"
 #include "controller/reference_path.h"
 #include "controller/swing_trajectory.h"
+#include "controller/zmp_plan.h"
 #include "robot/model_terms.h"
 
 namespace dob {
 
+enum class PlannerKind { kZmp, kSpline, kPaperSplit };
+
+constexpr std::string_view to_string(PlannerKind kind) noexcept {
+  constexpr std::array<std::string_view, 3> kNames{"zmp", "spline", "paper_split"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
 struct PlannerOptions {
-  double com_height = 0.40;           // [m] above the expected ground
-  double foot_offset_x = 0.287;       // [m] nominal foot position from the CoM, longitudinal
-  double foot_offset_y = 0.187;       // [m] lateral
-  double velocity_feedback = 0.1;     // [s] foothold shift per CoM velocity error
-  double path_feedback = 0.1;         // [-] foothold shift per distance of the supporting diagonal from the path
-  double max_path_correction = 0.02;  // [m] largest such shift per footstep
-  double start_ramp = 0.5;  // [s] from marching on the spot to the path's speed; path feedback makes up for it
+  PlannerKind kind = PlannerKind::kZmp;
+  double com_height = 0.40;  // [m] above the expected ground
+  int horizon = 2;           // footsteps that the ZMP optimisation looks ahead, 1 to kMaxHorizon
+  FootstepOptions footsteps;
+  ZmpOptions zmp;
   SwingOptions swing;
 };
 
@@ -35,6 +44,7 @@ struct MotionReference {
   Vec3 omega;                 // [rad/s]
   PerLeg<Motion<Vec3>> foot;  // sphere centre; meaningful for legs that do not stand
   PerLeg<Vec3> foothold;      // [m] planned sphere centre at the last (or present) landing, on the ground
+  PerLeg<bool> clamped{};     // that foothold was out of the leg's reach and has been moved
 };
 
 class MotionPlanner {
@@ -50,20 +60,34 @@ class MotionPlanner {
 
   const MotionReference& reference() const noexcept { return reference_; }
   const ReferencePath& path() const noexcept { return path_; }
+  const PlannerOptions& options() const noexcept { return options_; }
+  const ZmpReport& zmp_report() const noexcept { return zmp_report_; }  // of the last optimisation
 
  private:
   void plan_footstep(double t, const GaitState& gait, const ModelTerms& m) noexcept;
+  void plan_stand(const GaitState& gait) noexcept;
+  void append_footstep(const Footstep& step) noexcept;
+  void append_swing(const Footstep& step) noexcept;
+  void optimize(const Motion<Vec2>& start, const GaitState& gait, bool from_lift_off) noexcept;
+  void plan_attitude(double t, double duration, const ModelTerms& m) noexcept;
+  void update_attitude(double t) noexcept;
 
   PlannerOptions options_;
-  GaitOptions gait_;
   ReferencePath path_;
   MotionReference reference_{};
   PerLeg<SwingTrajectory> swing_;
-  PerLeg<Vec3> next_foothold_{};
-  Motion<Vec3> com_start_{};
-  Motion<Vec3> com_end_{};
-  double com_start_time_ = 0.0;
-  double com_duration_ = 1.0;
+  FootstepPlan plan_;
+  ComTrajectory com_, path_ahead_;
+  HeightTrajectory height_;
+  ZmpOptimizer optimizer_;
+  ZmpReport zmp_report_;
+  double com_start_time_ = 0.0, height_start_time_ = 0.0;
+  // paper_split: rotation vector from the path's heading to the reference, a cubic to zero.
+  Vec3 tilt_ = Vec3::Zero(), tilt_rate_ = Vec3::Zero();  // [rad, rad/s] at the start
+  double attitude_start_time_ = 0.0, attitude_duration_ = 1.0;
 };
+
+// Zero-moment point of a CoM motion above the ground z = 0, eqs (10), (11) with L_dot = 0 [m].
+Vec2 zero_moment_point(const Motion<Vec3>& com) noexcept;
 
 }  // namespace dob

@@ -9,17 +9,21 @@ namespace dob {
 // Filled by the trial at time t, after the step [t, t + dt] has been simulated: state and references at t, torques and
 // ground reaction forces of the step that follows.
 struct TickRecord {
-  double t = 0.0;                  // [s]
-  Vec3 com, com_reference;         // [m] the planner's current reference
-  Vec2 path_position;              // [m] where the commanded path says the CoM should be, never re-planned
-  double orientation_error = 0.0;  // [rad] norm of the rotation vector between reference and trunk
-  PerLeg<Vec3> foot;               // [m]
-  PerLeg<Vec3> foot_reference;     // [m] in swing the spline, in stance the planned foothold
-  PerLeg<Vec3> foothold;           // [m] planned, on the ground (without the deliberate landing offset)
-  PerLeg<bool> stance{};           // scheduled on the ground
-  PerLeg<bool> lift_off{};         // a swing begins at this tick
-  PerLeg<bool> touchdown{};        // the foot landed at this tick
-  bool disturbance_onset = false;  // the set of acting disturbances changed at this tick (begin, end, new draw)
+  double t = 0.0;                   // [s]
+  Vec3 com, com_reference;          // [m] the planner's current reference
+  Vec2 path_position;               // [m] where the commanded path says the CoM should be, never re-planned
+  double orientation_error = 0.0;   // [rad] norm of the rotation vector between reference and trunk
+  PerLeg<Vec3> foot;                // [m]
+  PerLeg<Vec3> foot_reference;      // [m] in swing the spline, in stance the planned foothold
+  PerLeg<Vec3> foothold;            // [m] planned, on the ground (without the deliberate landing offset)
+  PerLeg<bool> foothold_clamped{};  // that foothold was out of the leg's reach and has been moved
+  Vec2 zmp_reference;               // [m] of the CoM reference, eqs (10), (11)
+  double zmp_margin = 0.0;          // [m] its distance to the nearest edge of the support polygon, negative outside
+  Vec2 center_of_pressure;          // [m] of the measured ground reaction forces; NaN while no foot carries
+  PerLeg<bool> stance{};            // scheduled on the ground
+  PerLeg<bool> lift_off{};          // a swing begins at this tick
+  PerLeg<bool> touchdown{};         // the foot landed at this tick
+  bool disturbance_onset = false;   // the set of acting disturbances changed at this tick (begin, end, new draw)
   bool disturbance_active = false;
   Vec12 foot_force_commanded;  // [N] of the held QP solution, zero for swinging feet
   Vec12 foot_force;            // [N] ground reaction forces measured over the step

@@ -114,6 +114,14 @@ double Reader::number(std::string_view key, Range range, std::optional<double> f
   refuse(key, "a number " + words(range));
 }
 
+int Reader::integer(std::string_view key, int min, int max) {
+  const Node* node = find(key);
+  if (node == nullptr) return min;
+  const auto number = number_in(*node, between(min, max));
+  if (number && *number == std::floor(*number)) return static_cast<int>(*number);
+  refuse(key, fmt::format("a whole number from {} to {}", min, max));
+}
+
 Vec3 Reader::vector(std::string_view key, Range range) {
   const Node* node = find(key);
   if (node == nullptr) return Vec3::UnitX();

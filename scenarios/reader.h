@@ -54,6 +54,7 @@ class Reader {
   // Without a fallback the key has to be there. A missing key is reported when the whole table has been read,
   // so that a misspelt one is called unknown rather than the right one missing; until then its value is a stand-in.
   double number(std::string_view key, Range range, std::optional<double> fallback = std::nullopt);
+  int integer(std::string_view key, int min, int max);
   Vec3 vector(std::string_view key, Range range);
   Vec3 vector_or_number(std::string_view key, Range range);  // one number stands for three equal ones
   Vec3 direction(std::string_view key);                      // normalised; zero is refused

@@ -49,7 +49,6 @@ struct Scenario {
   RobotConfig robot;
   std::vector<PathSegment> path;
   GaitOptions gait;
-  std::string planner_kind = "spline";
   PlannerOptions planner;
   WbcOptions controller;  // of the gain set
   SimOptions sim;

@@ -20,13 +20,16 @@ constexpr Range kFriction = between(0.0, 10.0);  // [-]
 constexpr Range kSoftness = between(0.0, 1.0);   // [-] or [1/kg]
 constexpr Range kGain = between(0.0, 1e6);
 constexpr Range kWeight = above(0.0, 1e16);
+constexpr Range kLength = above(0.0, 10.0);                                         // [m]
 constexpr Range kPlace = between(-1e4, 1e4);                                        // [m] in W
 constexpr Range kAngle = between(-2.0 * std::numbers::pi, 2.0 * std::numbers::pi);  // [rad]
 
 constexpr std::array<Choice<Forward>, 4> kForward{
     {{"+x", Forward::kPlusX}, {"-x", Forward::kMinusX}, {"+y", Forward::kPlusY}, {"-y", Forward::kMinusY}}};
 constexpr std::array<Choice<int>, kLegs + 1> kMetricLegs{{{"all", -1}, {"LF", 0}, {"RF", 1}, {"LH", 2}, {"RH", 3}}};
-constexpr std::array<Choice<bool>, 1> kPlanners{{{"spline", true}}};
+constexpr std::array<Choice<PlannerKind>, 3> kPlanners{
+    {{"zmp", PlannerKind::kZmp}, {"spline", PlannerKind::kSpline}, {"paper_split", PlannerKind::kPaperSplit}}};
+constexpr std::array<Choice<Gait>, 3> kGaits{{{"trot", Gait::kTrot}, {"crawl", Gait::kCrawl}, {"stand", Gait::kStand}}};
 
 // A path in a file is relative to that file; one on the command line to the working directory.
 std::filesystem::path absolute_path(const std::string& text, const Place& place) {
@@ -74,28 +77,49 @@ std::vector<PathSegment> read_path(Reader& r) {
 
 GaitOptions read_gait(Reader& r) {
   GaitOptions gait;
+  const auto read_pattern = [](Reader& t) {
+    return GaitPattern{.gait = t.choice("kind", kGaits),
+                       .stance_duration = t.number("stance_s", kDuration),
+                       .swing_duration = t.number("swing_s", kDuration)};
+  };
   r.table("gait", [&](Reader& t) {
-    gait.stance_duration = t.number("stance_s", kDuration);
-    gait.swing_duration = t.number("swing_s", kDuration);
-    gait.early_touchdown_window = t.number("early_touchdown_window_s", between(0.0, gait.swing_duration));
+    gait.pattern = read_pattern(t);
+    gait.early_touchdown_window = t.number("early_touchdown_window_s", between(0.0, gait.pattern.swing_duration));
     gait.touchdown_force = t.number("touchdown_force_N", above(0.0, 1e4));
     gait.late_wait = t.number("late_wait_s", between(0.0, 10.0));
+    t.each("switch", [&](Reader& s) {
+      const double time = s.number("at_s", between(0.0, kLongest));
+      gait.switches.push_back({time, read_pattern(s)});
+    });
   });
   return gait;
 }
 
+FootstepOptions read_footsteps(Reader& t) {
+  return {.foot_offset_x = t.number("foot_offset_x_m", kLength),
+          .foot_offset_y = t.number("foot_offset_y_m", kLength),
+          .velocity_feedback = t.number("velocity_feedback_s", between(0.0, 10.0)),
+          .path_feedback = t.number("path_feedback", between(0.0, 1.0)),
+          .max_path_correction = t.number("max_path_correction_m", between(0.0, 1.0)),
+          .start_ramp = t.number("start_ramp_s", between(0.0, 60.0)),
+          .max_reach = t.number("max_reach", above(0.0, 1.0))};
+}
+
 PlannerOptions read_planner(Reader& r) {
-  constexpr Range kLength = above(0.0, 10.0);  // [m]
   PlannerOptions planner;
   r.table("planner", [&](Reader& t) {
-    t.choice("kind", kPlanners);
+    planner.kind = t.choice("kind", kPlanners);
     planner.com_height = t.number("com_height_m", kLength);
-    planner.foot_offset_x = t.number("foot_offset_x_m", kLength);
-    planner.foot_offset_y = t.number("foot_offset_y_m", kLength);
-    planner.velocity_feedback = t.number("velocity_feedback_s", between(0.0, 10.0));
-    planner.path_feedback = t.number("path_feedback", between(0.0, 1.0));
-    planner.max_path_correction = t.number("max_path_correction_m", between(0.0, 1.0));
-    planner.start_ramp = t.number("start_ramp_s", between(0.0, 60.0));
+    planner.footsteps = read_footsteps(t);
+    planner.horizon = t.integer("horizon_footsteps", 1, kMaxHorizon);
+    t.table("zmp", [&](Reader& z) {
+      planner.zmp = {.line_half_width = z.number("line_half_width_m", above(0.0, 1.0)),
+                     .margin = z.number("margin_m", between(0.0, 1.0)),
+                     .sample = z.number("sample_s", above(0.0, 1.0)),
+                     .sigma_position = z.number("sigma_position_m", above(0.0, 1e3)),
+                     .sigma_velocity = z.number("sigma_velocity_m_s", above(0.0, 1e3)),
+                     .sigma_jerk = z.number("sigma_jerk_m_s3", above(0.0, 1e6))};
+    });
     planner.swing.step_height = t.number("step_height_m", above(0.0, 1.0));
     planner.swing.landing_offset = t.number("landing_offset_m", below(0.0, planner.swing.step_height));
     planner.swing.descent_speed = t.number("descent_speed_m_s", above(0.0, 10.0));

@@ -1,5 +1,7 @@
 #include "bench/trial.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "scenarios/loader.h"
@@ -32,6 +34,54 @@ TEST(Trial, UndisturbedTrotTracksItsReference) {
   EXPECT_LE(result.metrics.foot_error_max_m.value(), 0.003);
   EXPECT_EQ(result.metrics.qp_failures, 0);
   EXPECT_GE(result.metrics.qp_solves, 6000);  // 400 Hz, and more at changes of the stance set
+}
+
+// Margin of the planned ZMP and the feet's phases over a run.
+struct Balance {
+  double smallest_margin = 1.0;  // [m]
+  int fewest_standing = kLegs;
+};
+Balance run_and_watch(const Scenario& scenario, CellResult& result) {
+  Balance b;
+  result = Trial(scenario, load_observer("none", "paper"), 1).run([&b](const TickRecord& r) {
+    b.smallest_margin = std::min(b.smallest_margin, r.zmp_margin);
+    b.fewest_standing =
+        std::min(b.fewest_standing, static_cast<int>(std::count(r.stance.begin(), r.stance.end(), true)));
+  });
+  return b;
+}
+
+TEST(Trial, UndisturbedCrawlTracksItsReferenceWithTheZmpInsideTheTriangles) {
+  CellResult result;
+  const Balance b = run_and_watch(load("crawl/undisturbed", 15.0), result);
+  EXPECT_EQ(result.outcome, Outcome::kSurvived) << result.reason;
+  EXPECT_LE(result.metrics.com_error_max_m.value(), 0.006);
+  EXPECT_LE(result.metrics.foot_error_max_m.value(), 0.005);
+  EXPECT_EQ(b.fewest_standing, 3);
+  EXPECT_GT(b.smallest_margin, 0.0);
+}
+
+TEST(Trial, PlannedZmpOfAnUndisturbedTrotStaysInTheWidenedLine) {
+  CellResult result;
+  EXPECT_GT(run_and_watch(load("undisturbed", 10.0), result).smallest_margin, 0.0);
+}
+
+TEST(Trial, GaitChangesFromTrotToCrawlToStandWithoutAFall) {
+  Scenario scenario = load("undisturbed", 12.0);
+  scenario.gait.switches = {{3.0, {Gait::kCrawl, 0.5, 0.3}}, {8.0, {Gait::kStand, 0.5, 0.3}}};
+  scenario.planner.zmp.margin = 0.05;
+  scenario.path = {{3.0, 0.12, 0.0}, {5.0, 0.03, 0.0}, {4.0, 0.0, 0.0}};
+  PerLeg<double> last_lift_off{};
+  const CellResult result = Trial(scenario, load_observer("none", "paper"), 1).run([&](const TickRecord& r) {
+    for (int l = 0; l < kLegs; ++l) {
+      if (r.lift_off[l]) last_lift_off[l] = r.t;
+    }
+  });
+  EXPECT_EQ(result.outcome, Outcome::kSurvived) << result.reason;
+  for (int l = 0; l < kLegs; ++l) {
+    EXPECT_GT(last_lift_off[l], 3.0);
+    EXPECT_LT(last_lift_off[l], 8.8);
+  }
 }
 
 // After 10 s the force has passed its peak six times; the foot's error with the observer is a fraction of that without.

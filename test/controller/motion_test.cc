@@ -5,8 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "controller/motion_planner.h"
-#include "robot/model.h"
-#include "robot/standing_pose.h"
+#include "test/support/standing_dogbot.h"
 
 namespace dob {
 namespace {
@@ -61,25 +60,31 @@ TEST(ReferencePath, RefusesWhatCannotBeDriven) {
   EXPECT_THROW(ReferencePath({{1.0, std::nan(""), 0.0}}), std::invalid_argument);
 }
 
+TEST(ComTrajectory, CubicPiecesAreHermiteSegments) {
+  ComTrajectory motion;
+  const Vec2 p0(0.1, -0.2), v0(0.3, 0.1), p1(0.15, -0.1), v1(0.0, 0.5);
+  motion.start(p0, v0);
+  motion.append_cubic(0.15, p1, v1);
+  motion.append_constant_velocity(0.1);
+  for (const double t : {0.0, 0.04, 0.1, 0.1499}) {
+    const Motion<Vec2> expected = cubic_at<Vec2>(t, 0.15, p0, v0, p1, v1);
+    EXPECT_NEAR((motion.at(t).p - expected.p).norm(), 0.0, 1e-14);
+    EXPECT_NEAR((motion.at(t).v - expected.v).norm(), 0.0, 1e-13);
+    EXPECT_NEAR((motion.at(t).a - expected.a).norm(), 0.0, 1e-11);
+  }
+  EXPECT_NEAR((motion.at(0.2).p - (p1 + 0.05 * v1)).norm(), 0.0, 1e-14);
+  EXPECT_NEAR((motion.at(0.5).p - (p1 + 0.35 * v1)).norm(), 0.0, 1e-14);  // after the end: final velocity
+  EXPECT_NEAR(motion.duration(), 0.25, 1e-15);
+}
+
 class PlannerTest : public ::testing::Test {
  protected:
-  Model model{load_robot(std::string(DOB_SOURCE_DIR) + "/robot/dogbot/dogbot.urdf", Forward::kMinusY)};
+  Model model = test::dogbot_model();
   PlannerOptions options;
   GaitOptions gait_options;
-  ModelTerms m;
+  ModelTerms m = test::standing_dogbot(model);
 
-  void SetUp() override {
-    model.compute(standing_pose(model, options.com_height, options.foot_offset_x, options.foot_offset_y,
-                                {{"front_right_pitch", 0.886},
-                                 {"front_left_pitch", -0.884},
-                                 {"back_right_pitch", 0.886},
-                                 {"back_left_pitch", -0.884},
-                                 {"front_right_knee", 1.604},
-                                 {"front_left_knee", -1.604},
-                                 {"back_right_knee", 1.604},
-                                 {"back_left_knee", -1.604}}),
-                  m);
-  }
+  PlannerTest() { options.kind = PlannerKind::kSpline; }
 
   GaitState footstep() const {
     GaitState gait;
@@ -107,7 +112,7 @@ TEST_F(PlannerTest, CentreOfMassCrossesTheSupportingDiagonalInMidSwing) {
 }
 
 TEST_F(PlannerTest, FootholdsAdvanceWithThePathAndAnswerToVelocity) {
-  options.path_feedback = 0.0;
+  options.footsteps.path_feedback = 0.0;
   MotionPlanner planner(options, gait_options, ReferencePath({{100.0, 0.12, 0.0}}));
   const auto foothold = [&](double v_y) {
     m.v_c.head<3>() = Vec3(0.12, v_y, 0.0);
@@ -124,8 +129,8 @@ TEST_F(PlannerTest, FootholdsAdvanceWithThePathAndAnswerToVelocity) {
 }
 
 TEST_F(PlannerTest, PathFeedbackIsBounded) {
-  options.path_feedback = 1.0;
-  options.velocity_feedback = 0.0;
+  options.footsteps.path_feedback = 1.0;
+  options.footsteps.velocity_feedback = 0.0;
   MotionPlanner planner(options, gait_options, ReferencePath({{100.0, 0.12, 0.0}}));
   planner.reset(m);
   planner.update(50.0, footstep(), m);  // the path is 6 m ahead
@@ -135,8 +140,82 @@ TEST_F(PlannerTest, PathFeedbackIsBounded) {
   EXPECT_NEAR(planner.update(50.15, lift, m).foothold[0].x(), 0.287 + 0.12 * 0.265 + 0.02, 1e-9);
 }
 
+// Thrown to the left at 0.3 m/s, the spline planner asks for a ZMP far outside the feet; the ZMP planner keeps it in
+// and says which rows decided.
+TEST_F(PlannerTest, ZmpPlannerDiffersFromTheSplineWhereTheZmpWouldLeaveTheSupport) {
+  m.v_c.head<3>() = Vec3(0.12, 0.3, 0.0);
+  const auto smallest_margin = [&](PlannerKind kind) {
+    options.kind = kind;
+    MotionPlanner planner(options, gait_options, ReferencePath({{100.0, 0.12, 0.0}}));
+    planner.reset(m);
+    planner.update(10.0, footstep(), m);
+    PerLeg<Vec2> feet;
+    for (int l = 0; l < kLegs; ++l) feet[l] = m.foot[l].p.head<2>();
+    const SupportPolygon stance = support_polygon({true, true, true, true}, feet, 0.03);
+    double margin = 1.0;
+    for (int k = 1; k < 150; ++k) {
+      margin = std::min(margin, stance.margin(zero_moment_point(planner.update(10.0 + 1e-3 * k, {}, m).com)));
+    }
+    return std::pair(margin, planner.zmp_report().active_rows);
+  };
+  const auto [spline_margin, spline_rows] = smallest_margin(PlannerKind::kSpline);
+  const auto [zmp_margin, zmp_rows] = smallest_margin(PlannerKind::kZmp);
+  EXPECT_NEAR(spline_margin, 0.187 - 0.4 / kGravity * (4.0 * 0.3 / 0.15), 0.01);  // Hermite: a_0 = -4 v_0 / T
+  EXPECT_GT(zmp_margin, -0.002);  // between two samples
+  EXPECT_EQ(spline_rows, 0);
+  EXPECT_GE(zmp_rows, 3);
+}
+
+TEST_F(PlannerTest, PaperSplitBringsTheCentreOfMassToTheCentreOfTheFourFeetDuringStance) {
+  options.kind = PlannerKind::kPaperSplit;
+  m.foot[0].p += Vec3(0.04, 0.0, 0.0);
+  MotionPlanner planner(options, gait_options, ReferencePath({{100.0, 0.12, 0.0}}));
+  planner.reset(m);
+  planner.update(10.0, footstep(), m);
+  const MotionReference& end = planner.update(10.15 - 1e-9, {}, m);
+  EXPECT_NEAR((end.com.p.head<2>() - Vec2(0.01, 0.0)).norm(), 0.0, 1e-8);
+  EXPECT_EQ(planner.zmp_report().status, QpStatus::kInvalidInput);  // not optimised yet
+  GaitState lift;
+  lift.phase[0] = lift.phase[3] = LegPhase::kSwing;
+  lift.lift_off[0] = lift.lift_off[3] = true;
+  planner.update(10.15, lift, m);
+  EXPECT_EQ(planner.zmp_report().status, QpStatus::kOptimal);
+}
+
+TEST_F(PlannerTest, PaperSplitLevelsTheTrunkByACubicFromItsMeasuredAttitude) {
+  options.kind = PlannerKind::kPaperSplit;
+  RobotState tilted = m.state;
+  tilted.R_WB = Eigen::AngleAxisd(0.1, Vec3::UnitX()).toRotationMatrix();
+  model.compute(tilted, m);
+  MotionPlanner planner(options, gait_options, ReferencePath({{100.0, 0.12, 0.0}}));
+  planner.reset(m);
+  EXPECT_NEAR((planner.update(10.0, footstep(), m).R_WB - tilted.R_WB).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(Eigen::AngleAxisd(planner.update(10.075, {}, m).R_WB).angle(), 0.05, 1e-9);
+  EXPECT_NEAR((planner.update(10.15, {}, m).R_WB - Mat3::Identity()).norm(), 0.0, 1e-12);
+}
+
+TEST_F(PlannerTest, StandingGaitBringsTheCentreOfMassOverTheFeetAndStays) {
+  options.kind = PlannerKind::kZmp;
+  m.p_com += Vec3(0.03, 0.02, 0.0);
+  MotionPlanner planner(options, gait_options, ReferencePath({{100.0, 0.0, 0.0}}));
+  planner.reset(m);
+  GaitState stand;
+  stand.pattern.gait = Gait::kStand;
+  stand.footstep_begins = true;
+  planner.update(0.0, stand, m);
+  const MotionReference& later = planner.update(3.0, GaitState{}, m);
+  EXPECT_NEAR((later.com.p - Vec3(0.0, 0.0, 0.4)).norm(), 0.0, 1e-9);
+  EXPECT_NEAR(later.com.v.norm(), 0.0, 1e-12);
+}
+
+TEST_F(PlannerTest, RefusesASamplingThatDoesNotFitTheGait) {
+  options.kind = PlannerKind::kZmp;
+  options.zmp.sample = 0.001;
+  EXPECT_THROW(MotionPlanner(options, gait_options, ReferencePath({{1.0, 0.1, 0.0}})), std::invalid_argument);
+}
+
 TEST_F(PlannerTest, RefusesOptionsByName) {
-  options.path_feedback = 2.0;
+  options.footsteps.path_feedback = 2.0;
   EXPECT_THROW(MotionPlanner(options, gait_options, ReferencePath({{1.0, 0.1, 0.0}})), std::invalid_argument);
 }
 

@@ -29,9 +29,13 @@ class Print {
 void print_motion(Print& p, const Scenario& s) {
   for (const PathSegment& segment : s.path) p(segment.duration, segment.speed, segment.yaw_rate);
   const GaitOptions& g = s.gait;
-  p(g.stance_duration, g.swing_duration, g.early_touchdown_window, g.touchdown_force, g.late_wait);
+  p(to_string(g.pattern.gait), g.pattern.stance_duration, g.pattern.swing_duration);
+  p(g.early_touchdown_window, g.touchdown_force, g.late_wait);
+  for (const GaitSwitch& w : g.switches) p(w.time, to_string(w.pattern.gait), w.pattern.stance_duration);
   const PlannerOptions& m = s.planner;
-  p(m.com_height, m.foot_offset_x, m.foot_offset_y, m.velocity_feedback);
+  p(m.com_height, m.footsteps.foot_offset_x, m.footsteps.foot_offset_y, m.footsteps.velocity_feedback);
+  p(to_string(m.kind), m.horizon, m.zmp.line_half_width, m.zmp.margin, m.zmp.sample, m.footsteps.max_reach);
+  p(m.zmp.sigma_position, m.zmp.sigma_velocity, m.zmp.sigma_jerk);
   p(m.swing.step_height, m.swing.landing_offset, m.swing.descent_speed);
   const WbcOptions& c = s.controller;
   for (int i = 0; i < 6; ++i) p(c.wrench_kp[i], c.wrench_kd[i]);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -27,13 +28,15 @@ Scenario load_text(const ScratchFiles& files, const std::string& text) {
 
 TEST(ShippedScenarios, AreListedWithTheirVariants) {
   const std::vector<ScenarioInfo> list = list_scenarios();
-  ASSERT_EQ(list.size(), 2u);
+  ASSERT_EQ(list.size(), 3u);
   EXPECT_EQ(list[0].name, "case1");
   EXPECT_THAT(list[0].variants, ElementsAre("knee_lateral", "tip_lateral", "knee_sagittal", "tip_sagittal"));
-  EXPECT_EQ(list[1].name, "undisturbed");
-  EXPECT_THAT(list[1].variants, ElementsAre());
-  EXPECT_EQ(list[1].summary, "120 s straight trot, no disturbance");
-  EXPECT_TRUE(std::filesystem::is_regular_file(list[1].path));
+  EXPECT_EQ(list[1].name, "crawl");
+  EXPECT_THAT(list[1].variants, ElementsAre("undisturbed", "knee_lateral", "tip_lateral"));
+  EXPECT_EQ(list[2].name, "undisturbed");
+  EXPECT_THAT(list[2].variants, ElementsAre());
+  EXPECT_EQ(list[2].summary, "120 s straight trot, no disturbance");
+  EXPECT_TRUE(std::filesystem::is_regular_file(list[2].path));
 }
 
 TEST(ShippedScenarios, AllLoadWithEveryGainSet) {
@@ -61,15 +64,26 @@ TEST(Undisturbed, Is120SecondsStraightWithoutAForce) {
 TEST(Defaults, AreThoseOfTheOptionStructs) {
   const Scenario s = load_one({.name = "undisturbed"});
   const Scenario d;
-  EXPECT_EQ(s.gait.stance_duration, d.gait.stance_duration);
-  EXPECT_EQ(s.gait.swing_duration, d.gait.swing_duration);
+  EXPECT_EQ(s.gait.pattern.stance_duration, d.gait.pattern.stance_duration);
+  EXPECT_EQ(s.gait.pattern.swing_duration, d.gait.pattern.swing_duration);
   EXPECT_EQ(s.gait.early_touchdown_window, d.gait.early_touchdown_window);
   EXPECT_EQ(s.gait.touchdown_force, d.gait.touchdown_force);
   EXPECT_EQ(s.gait.late_wait, d.gait.late_wait);
+  EXPECT_EQ(s.gait.pattern.gait, d.gait.pattern.gait);
+  EXPECT_TRUE(s.gait.switches.empty());
+  EXPECT_EQ(s.planner.kind, d.planner.kind);
+  EXPECT_EQ(s.planner.horizon, d.planner.horizon);
+  EXPECT_EQ(s.planner.zmp.line_half_width, d.planner.zmp.line_half_width);
+  EXPECT_EQ(s.planner.zmp.margin, d.planner.zmp.margin);
+  EXPECT_EQ(s.planner.zmp.sample, d.planner.zmp.sample);
+  EXPECT_EQ(s.planner.zmp.sigma_position, d.planner.zmp.sigma_position);
+  EXPECT_EQ(s.planner.zmp.sigma_velocity, d.planner.zmp.sigma_velocity);
+  EXPECT_EQ(s.planner.zmp.sigma_jerk, d.planner.zmp.sigma_jerk);
+  EXPECT_EQ(s.planner.footsteps.max_reach, d.planner.footsteps.max_reach);
   EXPECT_EQ(s.planner.com_height, d.planner.com_height);
-  EXPECT_EQ(s.planner.foot_offset_x, d.planner.foot_offset_x);
-  EXPECT_EQ(s.planner.foot_offset_y, d.planner.foot_offset_y);
-  EXPECT_EQ(s.planner.velocity_feedback, d.planner.velocity_feedback);
+  EXPECT_EQ(s.planner.footsteps.foot_offset_x, d.planner.footsteps.foot_offset_x);
+  EXPECT_EQ(s.planner.footsteps.foot_offset_y, d.planner.footsteps.foot_offset_y);
+  EXPECT_EQ(s.planner.footsteps.velocity_feedback, d.planner.footsteps.velocity_feedback);
   EXPECT_EQ(s.planner.swing.step_height, d.planner.swing.step_height);
   EXPECT_EQ(s.planner.swing.landing_offset, d.planner.swing.landing_offset);
   EXPECT_EQ(s.planner.swing.descent_speed, d.planner.swing.descent_speed);
@@ -118,6 +132,31 @@ TEST(Defaults, StandDogBotAsThePublishedCodeDoes) {
       EXPECT_EQ(robot.posture.at(leg + "pitch"), pitch);
       EXPECT_EQ(robot.posture.at(leg + "knee"), knee);
     }
+  }
+}
+
+TEST(Gait, SwitchesAreReadInOrderAndRefusedOutOfIt) {
+  const ScratchFiles files;
+  const auto text = [](double second) {
+    return fmt::format(
+        "[gait]\nswitch = [{{ at_s = 3.0, kind = \"crawl\", stance_s = 0.5, swing_s = 0.3 }}, "
+        "{{ at_s = {}, kind = \"stand\", stance_s = 0.5, swing_s = 0.3 }}]\n",
+        second);
+  };
+  const GaitOptions gait = load_text(files, text(8.0)).gait;
+  ASSERT_EQ(gait.switches.size(), 2u);
+  EXPECT_EQ(gait.switches[0].time, 3.0);
+  EXPECT_EQ(gait.switches[0].pattern.gait, Gait::kCrawl);
+  EXPECT_EQ(gait.switches[1].pattern.gait, Gait::kStand);
+  EXPECT_THROW(load_text(files, text(2.0)), InputError);
+}
+
+TEST(Planner, HorizonIsAWholeNumberThatTheSamplingHasRoomFor) {
+  const ScratchFiles files;
+  EXPECT_EQ(load_text(files, "[planner]\nhorizon_footsteps = 3\n").planner.horizon, 3);
+  for (const char* bad : {"[planner]\nhorizon_footsteps = 2.5\n", "[planner]\nhorizon_footsteps = 4\n",
+                          "[planner.zmp]\nsample_s = 0.001\n", "[planner]\nkind = \"best\"\n"}) {
+    EXPECT_THROW(load_text(files, bad), InputError) << bad;
   }
 }
 
@@ -203,11 +242,11 @@ TEST(Layers, AVariantIsLaidOverItsFileAndOverridesOverBoth) {
   const std::string path = files.write(
       "mine.toml", kSmallest + "[gait]\nstance_s = 0.2\nswing_s = 0.3\n[variant.slow.gait]\nswing_s = 0.4\n");
   const GaitOptions variant = load_one({.name = path}).gait;
-  EXPECT_EQ(variant.stance_duration, 0.2);
-  EXPECT_EQ(variant.swing_duration, 0.4);
+  EXPECT_EQ(variant.pattern.stance_duration, 0.2);
+  EXPECT_EQ(variant.pattern.swing_duration, 0.4);
   EXPECT_EQ(variant.late_wait, 0.1);
   const Scenario s = load_one({.name = path, .overrides = {"gait.swing_s=0.5", "gait.swing_s=0.6", "metric_leg=RH"}});
-  EXPECT_EQ(s.gait.swing_duration, 0.6);
+  EXPECT_EQ(s.gait.pattern.swing_duration, 0.6);
   EXPECT_EQ(s.metric_leg, Leg::kRH);
 }
 

@@ -41,8 +41,8 @@ std::vector<WbcInstance> recorded_instances(double duration, std::mt19937_64& ra
 std::vector<WbcInstance> random_instances(int count, std::mt19937_64& random) {
   const Scenario scenario = case1_tip();
   const Model model(load_robot(scenario.robot.urdf, scenario.robot.forward));
-  const RobotState standing = standing_pose(model, scenario.planner.com_height, scenario.planner.foot_offset_x,
-                                            scenario.planner.foot_offset_y, scenario.robot.posture);
+  const RobotState standing = standing_pose(model, scenario.planner.com_height, scenario.planner.footsteps.foot_offset_x,
+                                            scenario.planner.footsteps.foot_offset_y, scenario.robot.posture);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   const auto vec3 = [&](double scale) { return Vec3(scale * Vec3(uniform(random), uniform(random), uniform(random))); };
   std::vector<WbcInstance> instances;
