@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
     benchmark::AddCustomContext("compiler", build.compiler + " " + build.flags);
     dob::micro::add_model_benchmarks();
     dob::micro::add_observer_benchmarks();
+    dob::micro::add_planner_benchmarks();
     dob::micro::add_qp_benchmarks();
     dob::micro::add_trial_benchmarks();
     benchmark::Initialize(&argc, argv);

@@ -48,6 +48,7 @@ void measure(benchmark::State& state, Call&& call, int batch = kBatch) {
 // Explicit registration, called by main().
 void add_model_benchmarks();
 void add_observer_benchmarks();
+void add_planner_benchmarks();
 void add_qp_benchmarks();
 void add_trial_benchmarks();
 

@@ -124,7 +124,8 @@ TEST(InputError, NotANumberAndInfinityAreRefusedEverywhere) {
 TEST(InputError, WordsAreListed) {
   EXPECT_EQ(error_in("metric_leg = \"FL\"\n" + kSmallest),
             "mine.toml:1:1: metric_leg: \"FL\"; allowed: one of all, LF, RF, LH, RH");
-  EXPECT_EQ(error_with("[planner]\nkind = \"zmp\"\n"), "mine.toml:6:1: planner.kind: \"zmp\"; allowed: one of spline");
+  EXPECT_EQ(error_with("[planner]\nkind = \"best\"\n"),
+            "mine.toml:6:1: planner.kind: \"best\"; allowed: one of zmp, spline, paper_split");
   EXPECT_EQ(error_with("[robot]\nforward = 3\n"), "mine.toml:6:1: robot.forward: 3; allowed: one of +x, -x, +y, -y");
 }
 
@@ -168,9 +169,10 @@ TEST(InputError, MissingFilesAndScenariosAreNamed) {
   const std::string directory = (files.directory() / "folder.toml").string();
   std::filesystem::create_directory(directory);
   EXPECT_EQ(error_of({.name = directory}), directory + ": cannot be read; a TOML file is needed");
-  EXPECT_EQ(error_of({.name = "case9"}), "scenario: there is no 'case9'; there are: case1, undisturbed");
-  EXPECT_EQ(error_of({.name = ""}), "scenario: there is no ''; there are: case1, undisturbed");
-  EXPECT_EQ(error_of({.name = "../scenarios/case1"}), "scenario: there is no '..'; there are: case1, undisturbed");
+  EXPECT_EQ(error_of({.name = "case9"}), "scenario: there is no 'case9'; there are: case1, crawl, undisturbed");
+  EXPECT_EQ(error_of({.name = ""}), "scenario: there is no ''; there are: case1, crawl, undisturbed");
+  EXPECT_EQ(error_of({.name = "../scenarios/case1"}),
+            "scenario: there is no '..'; there are: case1, crawl, undisturbed");
 }
 
 TEST(InputError, VariantsAreNamed) {
@@ -208,7 +210,8 @@ TEST(InputError, RobotDescriptionsThatCannotBeUsedAreRefusedWhereTheyAreNamed) {
 TEST(InputError, GainSetsAndPlannersAreNamed) {
   EXPECT_EQ(error_of({.name = "case1", .gains = "soft"}),
             "--gains: there is no 'soft'; there are: paper, swing300, stiff");
-  EXPECT_EQ(error_of({.name = "case1", .planner = "zmp"}), "--planner planner.kind: \"zmp\"; allowed: one of spline");
+  EXPECT_EQ(error_of({.name = "case1", .planner = "best"}),
+            "--planner planner.kind: \"best\"; allowed: one of zmp, spline, paper_split");
 }
 
 TEST(InputError, OverridesNameTheirKey) {
