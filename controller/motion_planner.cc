@@ -130,6 +130,20 @@ void MotionPlanner::append_footstep(const Footstep& step) noexcept {
   append_swing(step);
 }
 
+// 4.1.1: to the centre of the support polygon. In a crawl that can only mean the coming triangle, since the centre of
+// four feet lies on its edge.
+void MotionPlanner::append_paper_stance(const Footstep& step) noexcept {
+  if (!is_static(step)) {
+    path_ahead_.append_cubic(step.to_lift_off, center_of(step.feet), step.velocity);
+    return;
+  }
+  Vec2 center = Vec2::Zero();
+  for (int l = 0; l < kLegs; ++l) {
+    if (!step.swings[l]) center += step.feet[l] / 3.0;
+  }
+  path_ahead_.append_cubic(step.to_lift_off, center, Vec2::Zero());
+}
+
 void MotionPlanner::plan_stand(const GaitState& gait) noexcept {
   PerLeg<Vec2> feet;
   for (int l = 0; l < kLegs; ++l) feet[l] = reference_.foothold[l].head<2>();
@@ -151,7 +165,7 @@ void MotionPlanner::plan_footstep(double t, const GaitState& gait, const ModelTe
     return;
   }
   if (options_.kind == PlannerKind::kPaperSplit) {
-    path_ahead_.append_cubic(to_lift_off, center_of(plan_.steps[0].feet), plan_.steps[0].velocity);
+    append_paper_stance(plan_.steps[0]);
     com_ = path_ahead_;
     plan_attitude(t, to_lift_off, m);
     return;
@@ -162,6 +176,22 @@ void MotionPlanner::plan_footstep(double t, const GaitState& gait, const ModelTe
   } else {
     optimize(start, gait, false);
   }
+}
+
+// paper_split, 4.1.2: optimised again from the state measured at lift-off.
+void MotionPlanner::plan_swing(double t, const GaitState& gait, const ModelTerms& m) noexcept {
+  const Motion<Vec2> start{m.p_com.head<2>(), m.v_c.head<2>(), com_.at(t - com_start_time_).a};
+  const Footstep& step = plan_.steps[0];
+  height_ = {m.p_com.z(), m.v_c.z(), options_.com_height, step.swing_duration};
+  com_start_time_ = height_start_time_ = t;
+  path_ahead_.start(start.p, start.v);
+  if (is_static(step)) {
+    path_ahead_.append_cubic(step.swing_duration, start.p, Vec2::Zero());
+  } else {
+    path_ahead_.append_cubic(step.swing_duration, step.body + 0.5 * step.swing_duration * step.velocity, step.velocity);
+  }
+  for (int k = 1; k < plan_.count; ++k) append_footstep(plan_.steps[static_cast<std::size_t>(k)]);
+  optimize(start, gait, true);
 }
 
 // Completes the regularised path by a stop at the centre of the last polygon and optimises.
@@ -217,16 +247,7 @@ const MotionReference& MotionPlanner::update(double t, const GaitState& gait, co
     }
     if (!gait.stands(l)) reference_.foot[l] = swing_[l].at(gait.swing_time[l]);
   }
-  if (options_.kind == PlannerKind::kPaperSplit && gait.lifts_off()) {
-    const Motion<Vec2> start{m.p_com.head<2>(), m.v_c.head<2>(), com_.at(t - com_start_time_).a};
-    height_ = {m.p_com.z(), m.v_c.z(), options_.com_height, gait.pattern.swing_duration};
-    com_start_time_ = height_start_time_ = t;
-    path_ahead_.start(start.p, start.v);
-    const Footstep& step = plan_.steps[0];
-    path_ahead_.append_cubic(step.swing_duration, step.body + 0.5 * step.swing_duration * step.velocity, step.velocity);
-    for (int k = 1; k < plan_.count; ++k) append_footstep(plan_.steps[static_cast<std::size_t>(k)]);
-    optimize(start, gait, true);
-  }
+  if (options_.kind == PlannerKind::kPaperSplit && gait.lifts_off()) plan_swing(t, gait, m);
   const Motion<Vec2> xy = com_.at(t - com_start_time_);
   const Motion<double> z = height_.at(t - height_start_time_);
   reference_.com = {Vec3(xy.p.x(), xy.p.y(), z.p), Vec3(xy.v.x(), xy.v.y(), z.v), Vec3(xy.a.x(), xy.a.y(), z.a)};

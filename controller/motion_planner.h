@@ -66,6 +66,8 @@ class MotionPlanner {
  private:
   void plan_footstep(double t, const GaitState& gait, const ModelTerms& m) noexcept;
   void plan_stand(const GaitState& gait) noexcept;
+  void plan_swing(double t, const GaitState& gait, const ModelTerms& m) noexcept;
+  void append_paper_stance(const Footstep& step) noexcept;
   void append_footstep(const Footstep& step) noexcept;
   void append_swing(const Footstep& step) noexcept;
   void optimize(const Motion<Vec2>& start, const GaitState& gait, bool from_lift_off) noexcept;
