@@ -35,6 +35,7 @@ class Trial {
   const ModelTerms& model_terms() const noexcept { return *now_; }
 
  private:
+  void draw_disturbances();
   void apply_seed(RobotState& initial);
   void observe(const SensorReading& reading) noexcept;
   bool has_fallen(const StepResult& step) noexcept;
@@ -56,7 +57,7 @@ class Trial {
   ModelTerms* now_ = &terms_[1];
   Vec12 foot_force_ = Vec12::Zero();  // [N] measured over the last step
   Estimate estimate_;
-  std::vector<AppliedForce> forces_;  // acting over the step, one per disturbance
+  std::vector<AppliedForce> forces_;  // of the disturbances that are active over the step
   long tick_ = 0;
   double nominal_height_ = 0.0;
   const char* fall_reason_ = "";
