@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "bench/recorder.h"
@@ -31,6 +32,7 @@ class Trial {
 
   double time() const noexcept { return static_cast<double>(tick_) * scenario_.sim.dt; }  // [s]
   const TickRecord& record() const noexcept { return record_; }
+  std::span<const AppliedForce> forces() const noexcept { return forces_; }  // over the last step
   const LocomotionController& controller() const noexcept { return controller_; }
   const ModelTerms& model_terms() const noexcept { return *now_; }
 
