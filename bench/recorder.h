@@ -16,8 +16,8 @@ class Recorder {
  public:
   Recorder(const RobotDescription& robot, const Scenario& scenario);
 
-  // The tick at time t [s]: `m` is the model at t, `step` what the simulator did over [t, t + dt] under `forces` (one
-  // per disturbance of the scenario), `estimate` the observer's answer to the interval that ended at t.
+  // The tick at time t [s]: `m` is the model at t, `step` what the simulator did over [t, t + dt] under `forces` (of
+  // the active disturbances), `estimate` the observer's answer to the interval that ended at t.
   const TickRecord& record(double t, const ModelTerms& m, const LocomotionController& controller,
                            const WbcTick& command, const StepResult& step, const Estimate& estimate,
                            std::span<const AppliedForce> forces) noexcept;

@@ -54,8 +54,10 @@ Trial::Trial(const Scenario& scenario, const ObserverConfig& observer, int seed)
   RobotState initial = standing_pose(model_, scenario_.planner.com_height, scenario_.planner.footsteps.foot_offset_x,
                                      scenario_.planner.footsteps.foot_offset_y, scenario_.robot.posture);
   nominal_height_ = initial.p_WB.z();
+  draw_disturbances();
   apply_seed(initial);
-  forces_.resize(scenario_.disturbances.size());
+  recorder_ = Recorder(robot_, scenario_);
+  forces_.reserve(scenario_.disturbances.size());
   simulator_.reset(initial);
   model_.compute(initial, *now_);
   observer_->reset(*now_);
@@ -63,6 +65,15 @@ Trial::Trial(const Scenario& scenario, const ObserverConfig& observer, int seed)
 }
 
 Trial::~Trial() = default;
+
+// Before apply_seed(), which may shift their onset like that of any other disturbance.
+void Trial::draw_disturbances() {
+  std::uint32_t stream = 0;
+  for (const RandomPush& push : scenario_.random_pushes) {
+    const auto draws = draw_pushes(push, robot_, static_cast<std::uint64_t>(seed_), stream++, scenario_.duration);
+    scenario_.disturbances.insert(scenario_.disturbances.end(), draws.begin(), draws.end());
+  }
+}
 
 // Seed 1 is the nominal run; the others vary the start of the gait, of the robot and of the disturbances.
 void Trial::apply_seed(RobotState& initial) {
@@ -78,7 +89,6 @@ void Trial::apply_seed(RobotState& initial) {
   }
   const double later = v.disturbance_onset * uniform();
   for (Disturbance& d : scenario_.disturbances) d.profile.start_s += later;
-  recorder_ = Recorder(robot_, scenario_);
 }
 
 bool Trial::tick() {
@@ -89,7 +99,10 @@ bool Trial::tick() {
     fall_reason_ = "non-finite command";
     return false;
   }
-  for (std::size_t i = 0; i < forces_.size(); ++i) forces_[i] = scenario_.disturbances[i].at(t, m.state);
+  forces_.clear();
+  for (const Disturbance& d : scenario_.disturbances) {
+    if (d.profile.active(t)) forces_.push_back(d.at(t, m.state));
+  }
 
   const StepResult step = simulator_.step(command.torque, forces_);
   record_ = recorder_.record(t, m, controller_, command, step, estimate_, forces_);

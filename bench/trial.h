@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "bench/recorder.h"
@@ -31,10 +32,12 @@ class Trial {
 
   double time() const noexcept { return static_cast<double>(tick_) * scenario_.sim.dt; }  // [s]
   const TickRecord& record() const noexcept { return record_; }
+  std::span<const AppliedForce> forces() const noexcept { return forces_; }  // over the last step
   const LocomotionController& controller() const noexcept { return controller_; }
   const ModelTerms& model_terms() const noexcept { return *now_; }
 
  private:
+  void draw_disturbances();
   void apply_seed(RobotState& initial);
   void observe(const SensorReading& reading) noexcept;
   bool has_fallen(const StepResult& step) noexcept;
@@ -56,7 +59,7 @@ class Trial {
   ModelTerms* now_ = &terms_[1];
   Vec12 foot_force_ = Vec12::Zero();  // [N] measured over the last step
   Estimate estimate_;
-  std::vector<AppliedForce> forces_;  // acting over the step, one per disturbance
+  std::vector<AppliedForce> forces_;  // of the disturbances that are active over the step
   long tick_ = 0;
   double nominal_height_ = 0.0;
   const char* fall_reason_ = "";

@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "observers/com_wrench.h"
 #include "observers/momentum.h"
 #include "observers/none.h"
+#include "observers/pair.h"
 
 namespace dob {
 namespace {
@@ -21,7 +23,15 @@ std::unique_ptr<DisturbanceObserver> make_momentum(const ObserverOptions& option
   return std::make_unique<MomentumObserver>(read_momentum_options(options), dt);
 }
 
-constexpr std::array<ObserverInfo, 2> kBuiltIn{{
+std::unique_ptr<DisturbanceObserver> make_com_wrench(const ObserverOptions& options, double dt) {
+  return std::make_unique<ComWrenchObserver>(read_com_wrench_options(options), dt);
+}
+
+std::unique_ptr<DisturbanceObserver> make_momentum_com(const ObserverOptions& options, double dt) {
+  return make_pair_observer("momentum_com", make_momentum, make_com_wrench, options, dt);
+}
+
+constexpr std::array<ObserverInfo, 4> kBuiltIn{{
     {.name = "none",
      .summary = "no observer: the undisturbed controller as it is",
      .source = "baseline",
@@ -31,6 +41,17 @@ constexpr std::array<ObserverInfo, 2> kBuiltIn{{
      .source = "Morlando et al. 2021, section 3.2, eqs (6)-(9)",
      .estimates_legs = true,
      .make = make_momentum},
+    {.name = "com_wrench",
+     .summary = "momentum of the whole robot, first order: disturbance wrench about the CoM",
+     .source = "Focchi et al. 2020, the paper's baseline [2]",
+     .estimates_com = true,
+     .make = make_com_wrench},
+    {.name = "momentum_com",
+     .summary = "momentum for the legs and com_wrench for the CoM, side by side",
+     .source = "ours (leg and CoM momentum together)",
+     .estimates_legs = true,
+     .estimates_com = true,
+     .make = make_momentum_com},
 }};
 
 }  // namespace

@@ -1,25 +1,50 @@
-// Arithmetic on two legs at once: every quantity below holds one value per lane, and all lanes go through the same
-// operations. The four legs are identical chains, so that two passes in the 128-bit registers that every x86-64 has
-// replace four scalar ones. Plain value types for the inside of Model; nothing here knows about robots.
+// Arithmetic on several legs at once: every quantity below holds one value per lane, and all lanes go through the same
+// operations. The four legs are identical chains, so that two passes in the 128-bit registers that every x86-64 has, or
+// one in the 256-bit registers of AVX2, replace four scalar ones. Plain value types for the inside of Model; nothing
+// here knows about robots.
 #pragma once
+
+#include <array>
+#include <cstring>
+#include <utility>
 
 #include "robot/types.h"
 
 namespace dob {
 
+// What the compiler may use decides: the CMake option DOB_FAST_MODEL gives it AVX2 and FMA, in every file of the
+// program, because Eigen's types are aligned differently there and inline functions must not exist in two versions.
+#if defined(__AVX2__) && defined(__FMA__)
+inline constexpr int kLanes = 4;
+#else
 inline constexpr int kLanes = 2;
+#endif
 
 // Vector extension of GCC and Clang: element-wise + - * /, scalars are broadcast, [i] is lane i.
 using Lanes = double __attribute__((vector_size(kLanes * sizeof(double))));
 
 inline Lanes broadcast(double x) noexcept {
-  return Lanes{x, x};
+  return x - Lanes{};
 }
-inline Lanes swap_lanes(Lanes x) noexcept {
-  return Lanes{x[1], x[0]};
+// Lanes of numbers that lie `stride` apart in memory.
+template <std::size_t stride>
+inline Lanes gather_lanes(const double* first) noexcept {
+  return [first]<std::size_t... n>(std::index_sequence<n...>) {
+    return Lanes{first[stride * n]...};
+  }
+  (std::make_index_sequence<kLanes>{});
+}
+// Lane n of the result is lane n + 1 of x, the last one its first.
+inline Lanes rotate_lanes(Lanes x) noexcept {
+  return [x]<std::size_t... n>(std::index_sequence<n...>) {
+    return Lanes{x[(n + 1) % kLanes]...};
+  }
+  (std::make_index_sequence<kLanes>{});
 }
 inline double sum_lanes(Lanes x) noexcept {
-  return x[0] + x[1];
+  double sum = x[0];
+  for (int n = 1; n < kLanes; ++n) sum += x[n];
+  return sum;
 }
 
 struct LanesVec3 {
@@ -42,8 +67,8 @@ inline LanesVec3 operator-(const LanesVec3& a, const LanesVec3& b) noexcept {
 inline LanesVec3 operator*(Lanes s, const LanesVec3& a) noexcept {
   return {s * a.x, s * a.y, s * a.z};
 }
-inline LanesVec3 swap_lanes(const LanesVec3& a) noexcept {
-  return {swap_lanes(a.x), swap_lanes(a.y), swap_lanes(a.z)};
+inline LanesVec3 rotate_lanes(const LanesVec3& a) noexcept {
+  return {rotate_lanes(a.x), rotate_lanes(a.y), rotate_lanes(a.z)};
 }
 inline Lanes dot(const LanesVec3& a, const LanesVec3& b) noexcept {
   return a.x * b.x + a.y * b.y + a.z * b.z;
@@ -135,15 +160,16 @@ inline Mat3 sum_lanes(const LanesSym3& A) noexcept {
   return s;
 }
 
-// Writes value `a` of the first lane into one leg's vector (or column) and of the second lane into another's.
-template <typename Column>
-inline void store(const LanesVec3& a, Column&& first, Column&& second) noexcept {
-  first[0] = a.x[0];
-  first[1] = a.y[0];
-  first[2] = a.z[0];
-  second[0] = a.x[1];
-  second[1] = a.y[1];
-  second[2] = a.z[1];
+// Writes lane n to the three numbers in a row at target(n).
+template <typename Target>
+inline void store(const LanesVec3& a, Target target) noexcept {
+  using Pair = double __attribute__((vector_size(2 * sizeof(double))));
+  for (int n = 0; n < kLanes; ++n) {
+    double* p = target(n);
+    const Pair xy{a.x[n], a.y[n]};  // one store of 128 bits
+    std::memcpy(p, &xy, sizeof xy);
+    p[2] = a.z[n];
+  }
 }
 
 struct SinCos {

@@ -83,35 +83,40 @@ LanesJoint joint_terms(const Chain& chain, const std::array<LanesVec3, kJointsPe
   return j;
 }
 
-void store_link(const LanesMotion& m, const Vec3& p_WB, LinkKinematics& first, LinkKinematics& second) noexcept {
-  store(m.R_WL.c0, first.R_WL.col(0), second.R_WL.col(0));
-  store(m.R_WL.c1, first.R_WL.col(1), second.R_WL.col(1));
-  store(m.R_WL.c2, first.R_WL.col(2), second.R_WL.col(2));
-  store(broadcast(p_WB) + m.o, first.p_WL, second.p_WL);
-  store(m.axis, first.axis_W, second.axis_W);
-  store(m.omega, first.omega, second.omega);
-  store(m.v, first.v, second.v);
-  store(m.alpha, first.alpha_bias, second.alpha_bias);
-  store(m.a, first.a_bias, second.a_bias);
+void store_link(const LanesMotion& m, int first_leg, int k, ModelTerms& t) noexcept {
+  const auto to = [&](auto member) {
+    return [&t, first_leg, k, member](int n) { return (t.link[first_leg + n][k].*member).data(); };
+  };
+  const auto to_column = [&](int column) {
+    return [&t, first_leg, k, column](int n) { return t.link[first_leg + n][k].R_WL.col(column).data(); };
+  };
+  store(m.R_WL.c0, to_column(0));
+  store(m.R_WL.c1, to_column(1));
+  store(m.R_WL.c2, to_column(2));
+  store(broadcast(t.state.p_WB) + m.o, to(&LinkKinematics::p_WL));
+  store(m.axis, to(&LinkKinematics::axis_W));
+  store(m.omega, to(&LinkKinematics::omega));
+  store(m.v, to(&LinkKinematics::v));
+  store(m.alpha, to(&LinkKinematics::alpha_bias));
+  store(m.a, to(&LinkKinematics::a_bias));
 }
 
-void store_joint(const LanesJoint& j, int k, int leg, ModelTerms& t) noexcept {
-  const int row = 3 * leg + k;
-  store(j.linear, t.M_bq.col(row).head<3>(), t.M_bq.col(row + 3).head<3>());
-  store(j.angular, t.M_bq.col(row).tail<3>(), t.M_bq.col(row + 3).tail<3>());
-  for (int i = 0; i <= k; ++i) {
-    for (int n = 0; n < kLanes; ++n) t.M_qq[leg + n](i, k) = t.M_qq[leg + n](k, i) = j.M_qq[i][n];
-  }
+void store_joint(const LanesJoint& j, int k, int first_leg, ModelTerms& t) noexcept {
+  const int row = kJointsPerLeg * first_leg + k;
+  store(j.linear, [&](int n) { return t.M_bq.col(row + kJointsPerLeg * n).head<3>().data(); });
+  store(j.angular, [&](int n) { return t.M_bq.col(row + kJointsPerLeg * n).tail<3>().data(); });
   for (int n = 0; n < kLanes; ++n) {
-    t.h_q[row + 3 * n] = j.h[n];
-    t.p_q[row + 3 * n] = j.p[n];
-    t.CTv_q[row + 3 * n] = j.CTv[n];
+    Mat3& M_qq = t.M_qq[first_leg + n];
+    for (int i = 0; i <= k; ++i) M_qq(i, k) = M_qq(k, i) = j.M_qq[i][n];
+    t.h_q[row + kJointsPerLeg * n] = j.h[n];
+    t.p_q[row + kJointsPerLeg * n] = j.p[n];
+    t.CTv_q[row + kJointsPerLeg * n] = j.CTv[n];
   }
 }
 
 // Foot centre and contact point. The contact point stays below the centre while the sphere rolls, so its acceleration
 // has no centripetal term: d/dt(v + omega x (-r z)) at v_dot = 0.
-void store_feet(const Chain& chain, const LanesLeg& legs, int leg, ModelTerms& t) noexcept {
+void store_feet(const Chain& chain, const LanesLeg& legs, int first_leg, ModelTerms& t) noexcept {
   const LanesMotion& lower = chain[kJointsPerLeg - 1];
   const LanesVec3 d = lower.R_WL * legs.foot_center;
   const LanesVec3 v_d = cross(lower.omega, d);
@@ -122,17 +127,23 @@ void store_feet(const Chain& chain, const LanesLeg& legs, int leg, ModelTerms& t
   const auto rolling = [&](const LanesVec3& w) {
     return LanesVec3{-w.y * legs.foot_radius, w.x * legs.foot_radius, broadcast(0.0)};
   };
+  const auto to = [&](PerLeg<LegPoint>& points, auto member) {
+    return [&points, first_leg, member](int n) { return (points[first_leg + n].*member).data(); };
+  };
+  const auto to_column = [&](PerLeg<LegPoint>& points, int k) {
+    return [&points, first_leg, k](int n) { return points[first_leg + n].J_q.col(k).data(); };
+  };
   const LanesVec3 p_W = broadcast(t.state.p_WB) + p;
-  store(p_W, t.foot[leg].p, t.foot[leg + 1].p);
-  store(v, t.foot[leg].v, t.foot[leg + 1].v);
-  store(a, t.foot[leg].Jdot_v, t.foot[leg + 1].Jdot_v);
-  store({p_W.x, p_W.y, p_W.z - legs.foot_radius}, t.contact[leg].p, t.contact[leg + 1].p);
-  store(v + rolling(lower.omega), t.contact[leg].v, t.contact[leg + 1].v);
-  store(a + rolling(lower.alpha), t.contact[leg].Jdot_v, t.contact[leg + 1].Jdot_v);
+  store(p_W, to(t.foot, &LegPoint::p));
+  store(v, to(t.foot, &LegPoint::v));
+  store(a, to(t.foot, &LegPoint::Jdot_v));
+  store({p_W.x, p_W.y, p_W.z - legs.foot_radius}, to(t.contact, &LegPoint::p));
+  store(v + rolling(lower.omega), to(t.contact, &LegPoint::v));
+  store(a + rolling(lower.alpha), to(t.contact, &LegPoint::Jdot_v));
   for (int k = 0; k < kJointsPerLeg; ++k) {
     const LanesVec3 column = cross(chain[k].axis, p - chain[k].o);
-    store(column, t.foot[leg].J_q.col(k), t.foot[leg + 1].J_q.col(k));
-    store(column + rolling(chain[k].axis), t.contact[leg].J_q.col(k), t.contact[leg + 1].J_q.col(k));
+    store(column, to_column(t.foot, k));
+    store(column + rolling(chain[k].axis), to_column(t.contact, k));
   }
 }
 
@@ -177,12 +188,12 @@ LanesLegTerms compute_legs(const LanesLeg& legs, const LanesMotion& base, int fi
   Chain chain;
   std::array<LanesVec3, kJointsPerLeg> moment_arms;
   for (int k = 0; k < kJointsPerLeg; ++k) {
-    const int row = 3 * first_leg + k;
-    const Lanes q{t.state.q[row], t.state.q[row + 3]};
-    const Lanes qd{t.state.qd[row], t.state.qd[row + 3]};
+    const int row = kJointsPerLeg * first_leg + k;
+    const Lanes q = gather_lanes<kJointsPerLeg>(t.state.q.data() + row);
+    const Lanes qd = gather_lanes<kJointsPerLeg>(t.state.qd.data() + row);
     chain[k] = link_motion(k == 0 ? base : chain[k - 1], legs.links[k], q, qd);
     moment_arms[k] = cross(chain[k].o, chain[k].axis);
-    store_link(chain[k], t.state.p_WB, t.link[first_leg][k], t.link[first_leg + 1][k]);
+    store_link(chain[k], first_leg, k, t);
   }
   LanesLegTerms terms;
   for (int k = kJointsPerLeg - 1; k >= 0; --k) {

@@ -70,8 +70,8 @@ struct LanesLegTerms {
 
 LanesSums body_sums(const LanesBody& body, const LanesMotion& link, const LanesVec3& v_base) noexcept;
 
-// Legs first_leg (lane 0) and first_leg + 1 (lane 1) on a base that moves as `base`. Fills links, feet and the joint
-// rows of the full space in `t`, whose state is already set.
+// Legs first_leg (lane 0), first_leg + 1 (lane 1) and so on on a base that moves as `base`. Fills links, feet and the
+// joint rows of the full space in `t`, whose state is already set.
 LanesLegTerms compute_legs(const LanesLeg& legs, const LanesMotion& base, int first_leg, ModelTerms& t) noexcept;
 
 }  // namespace dob

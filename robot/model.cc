@@ -71,9 +71,9 @@ LanesCentroidalLeg centroidal_columns(const LanesLegTerms& legs, const Vec3& com
     j.angular = legs.joints[k].angular - cross(c, j.linear);
     j.A_linear = inverse_mass * j.linear;
     j.A_angular = I_c_inv * j.angular;
-    const int row = 3 * first_leg + k;
-    store(j.A_linear, t.A_c.col(row).head<3>(), t.A_c.col(row + 3).head<3>());
-    store(j.A_angular, t.A_c.col(row).tail<3>(), t.A_c.col(row + 3).tail<3>());
+    const int row = kJointsPerLeg * first_leg + k;
+    store(j.A_linear, [&](int n) { return t.A_c.col(row + kJointsPerLeg * n).head<3>().data(); });
+    store(j.A_angular, [&](int n) { return t.A_c.col(row + kJointsPerLeg * n).tail<3>().data(); });
   }
   return columns;
 }
@@ -83,36 +83,34 @@ Lanes coupling(const LanesCentroidalJoint& a, const LanesCentroidalJoint& b) noe
   return -(dot(a.A_linear, b.linear) + dot(a.A_angular, b.angular));
 }
 
-LanesCentroidalJoint swap_lanes(const LanesCentroidalJoint& j) noexcept {
-  return {swap_lanes(j.A_linear), swap_lanes(j.A_angular), swap_lanes(j.linear), swap_lanes(j.angular)};
+LanesCentroidalJoint rotate_lanes(const LanesCentroidalJoint& j) noexcept {
+  return {rotate_lanes(j.A_linear), rotate_lanes(j.A_angular), rotate_lanes(j.linear), rotate_lanes(j.angular)};
 }
 
-// The symmetric matrix M_q: lane times same lane gives the blocks of legs (0, 0), (1, 1) and (0, 2), (1, 3); lane
-// times other lane those of (0, 1), (2, 3) and (0, 3), (1, 2).
+// The symmetric matrix M_q. Joints of pass p times those of pass q rotated by r lanes give the blocks of legs
+// (lane n of p, lane n + r of q). Within one pass, r and kLanes - r give the same blocks, and where these are one
+// the block and its transpose both come up, so that half of the entries do.
 void store_leg_inertia(const AllLegTerms& terms, const std::array<LanesCentroidalLeg, kPasses>& columns,
                        Mat12& M_q) noexcept {
-  const auto put = [&M_q](int row, int column, double value) { M_q(row, column) = M_q(column, row) = value; };
   for (int k = 0; k < kJointsPerLeg; ++k) {
-    std::array<LanesCentroidalJoint, kPasses> swapped;
-    for (int p = 0; p < kPasses; ++p) {
-      swapped[p] = swap_lanes(columns[p][k]);
-      const int row = 6 * p;
-      for (int i = 0; i <= k; ++i) {
-        const Lanes own = coupling(columns[p][i], columns[p][k]) + terms[p].joints[k].M_qq[i];
-        const Lanes other = coupling(columns[p][i], swapped[p]);
-        put(row + i, row + k, own[0]);
-        put(row + 3 + i, row + 3 + k, own[1]);
-        put(row + i, row + 3 + k, other[0]);
-        put(row + 3 + i, row + k, other[1]);
+    for (int q = 0; q < kPasses; ++q) {
+      LanesCentroidalJoint rotated = columns[q][k];
+      for (int r = 0; r < kLanes; ++r) {
+        for (int p = 0; p <= q; ++p) {
+          if (p == q && 2 * r > kLanes) continue;
+          const bool half = p == q && (r == 0 || 2 * r == kLanes);
+          for (int i = 0; i <= (half ? k : kJointsPerLeg - 1); ++i) {
+            Lanes entry = coupling(columns[p][i], rotated);
+            if (p == q && r == 0) entry += terms[p].joints[k].M_qq[i];
+            for (int n = 0; n < kLanes; ++n) {
+              const int row = kJointsPerLeg * (kLanes * p + n) + i;
+              const int column = kJointsPerLeg * (kLanes * q + (n + r) % kLanes) + k;
+              M_q(row, column) = M_q(column, row) = entry[n];
+            }
+          }
+        }
+        rotated = rotate_lanes(rotated);
       }
-    }
-    for (int i = 0; i < kJointsPerLeg; ++i) {
-      const Lanes same = coupling(columns[0][i], columns[1][k]);
-      const Lanes other = coupling(columns[0][i], swapped[1]);
-      put(i, 6 + k, same[0]);
-      put(3 + i, 9 + k, same[1]);
-      put(i, 9 + k, other[0]);
-      put(3 + i, 6 + k, other[1]);
     }
   }
 }
@@ -145,9 +143,9 @@ void store_joint_rows(const LanesLegTerms& legs, const LanesCentroidalLeg& colum
 }  // namespace
 
 Model::Model(const RobotDescription& robot) : robot_(robot), mass_(robot.total_mass()) {
-  // The trunk counts once: it sits in the first lane, the second one stays without mass.
+  // The trunk counts once: it sits in the first lane, the others stay without mass.
   const LinkInertia& trunk = robot.trunk.inertia;
-  const Lanes first{1.0, 0.0};
+  const Lanes first{1.0};
   trunk_ = {first * trunk.mass, broadcast(trunk.com), first * broadcast_symmetric(trunk.inertia)};
   for (int l = 0; l < kLegs; ++l) {
     const int n = l % kLanes;

@@ -87,6 +87,17 @@ OptionValue option_value(const Node& node, const std::string& key) {
   throw InputError(node.place, key, describe(node) + "; allowed: true, false, a number, a text, a list of numbers");
 }
 
+// One key of the observer's table. The keys of a table below it, as of one part of a pair, go with its name before
+// them: KEY in [momentum_com.legs] is the option `legs.KEY`.
+void read_option(const Node& node, const std::string& observer, const std::string& key, ObserverOptions& options) {
+  const auto* table = std::get_if<Table>(&node.value);
+  if (table == nullptr || table->empty()) {
+    options[key] = option_value(node, fmt::format("{}.{}", observer, key));
+    return;
+  }
+  for (const Entry& e : *table) read_option(e.node, observer, fmt::format("{}.{}", key, e.key), options);
+}
+
 Routing read_routing(const Node& node, const std::string& path) {
   Routing routing;
   Reader::read(node, path, [&](Reader& r) {
@@ -119,7 +130,7 @@ ObserverConfig load_observer(std::string_view specification, const std::string& 
   for (const Entry& e : table_of(table, config.observer)) {
     const std::string key = fmt::format("{}.{}", config.observer, e.key);
     if (e.key != kRouting) {
-      config.options[e.key] = option_value(e.node, key);
+      read_option(e.node, config.observer, e.key, config.options);
     } else if (estimates(info)) {
       config.routing = read_routing(e.node, key);
     } else {

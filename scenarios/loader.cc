@@ -164,6 +164,7 @@ void check(const Scenario& s, const Place& place) {
     s.terrain.validate();
     s.noise.validate();
     for (const Disturbance& disturbance : s.disturbances) disturbance.validate();
+    for (const RandomPush& push : s.random_pushes) push.validate();
   } catch (const std::invalid_argument& error) {
     throw InputError(place, "", error.what());
   }

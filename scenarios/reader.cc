@@ -159,6 +159,20 @@ std::string Reader::text(std::string_view key) {
   refuse(key, "text in quotes");
 }
 
+std::vector<std::string> Reader::texts(std::string_view key) {
+  const Node* node = find(key);
+  if (node == nullptr) return {};
+  if (const auto* text = std::get_if<std::string>(&node->value)) return {*text};
+  std::vector<std::string> texts;
+  if (const auto* array = std::get_if<Array>(&node->value)) {
+    for (const Node& element : *array) {
+      if (const auto* text = std::get_if<std::string>(&element.value)) texts.push_back(*text);
+    }
+    if (!texts.empty() && texts.size() == array->size()) return texts;
+  }
+  refuse(key, "a text, or a list of texts");
+}
+
 const Array* Reader::array(std::string_view key) {
   const Node* node = find(key);
   if (node == nullptr) return nullptr;

@@ -60,6 +60,7 @@ class Reader {
   Vec3 direction(std::string_view key);                      // normalised; zero is refused
   bool flag(std::string_view key, std::optional<bool> fallback = std::nullopt);
   std::string text(std::string_view key);
+  std::vector<std::string> texts(std::string_view key);  // at least one; a text stands for a list of itself
   template <typename T, std::size_t N>
   T choice(std::string_view key, const std::array<Choice<T>, N>& choices, std::optional<T> fallback = std::nullopt);
 

@@ -15,6 +15,7 @@
 #include "observers/options.h"
 #include "robot/description.h"
 #include "sim/disturbance.h"
+#include "sim/random_push.h"
 #include "sim/sensors.h"
 #include "sim/simulator.h"
 #include "sim/terrain.h"
@@ -55,7 +56,8 @@ struct Scenario {
   Terrain terrain;
   SensorNoise noise;
   std::vector<Disturbance> disturbances;
-  std::optional<Leg> metric_leg;  // leg whose foot and force errors are reported; else the worst of / all four
+  std::vector<RandomPush> random_pushes;  // what each seed draws, also seed 1
+  std::optional<Leg> metric_leg;          // leg whose foot and force errors are reported; else the worst of / all four
   FallOptions fall;
   SeedVariation seed_variation;
 };

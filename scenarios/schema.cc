@@ -213,7 +213,7 @@ Scenario read_scenario(const Node& document) {
     s.controller = read_controller(r);
     s.sim = read_sim(r);
     s.terrain = read_terrain(r);
-    r.each("disturbance", [&](Reader& t) { s.disturbances.push_back(read_disturbance(t, robot)); });
+    r.each("disturbance", [&](Reader& t) { read_disturbance(t, robot, s); });
     read_trial(r, s);
   });
   return s;

@@ -17,7 +17,7 @@ inline constexpr const char* kVariantsKey = "variant";  // table of tables of th
 // checked against it. Throws InputError for the first thing that is wrong.
 Scenario read_scenario(const Node& document);
 
-// One [[disturbance]] of the document; the foot is the contact sphere's centre of `robot`.
-Disturbance read_disturbance(Reader& reader, const RobotDescription& robot);
+// One [[disturbance]] of the document, added to the scenario; the foot is the contact sphere's centre of `robot`.
+void read_disturbance(Reader& reader, const RobotDescription& robot, Scenario& scenario);
 
 }  // namespace dob

@@ -46,6 +46,7 @@ double Sensors::normal() noexcept {
 
 SensorReading Sensors::measure(const StepResult& step) noexcept {
   SensorReading reading{step.joint_torque, step.foot_force_W};
+  if (noise_.torque_relative == 0.0 && noise_.foot_force_relative == 0.0) return reading;  // most trials: draw nothing
   for (double& torque : reading.joint_torque) torque *= 1.0 + noise_.torque_relative * normal();
   for (Vec3& force : reading.foot_force_W) {
     for (double& component : force) component *= 1.0 + noise_.foot_force_relative * normal();

@@ -30,7 +30,7 @@ class Sensors {
  public:
   Sensors(const SensorNoise& noise, std::uint64_t seed);
 
-  // Every call draws the same number of deviates, so that a reading's noise does not depend on earlier
+  // With noise, every call draws the same number of deviates, so that a reading's noise does not depend on earlier
   // signals.
   SensorReading measure(const StepResult& step) noexcept;
 

@@ -95,7 +95,8 @@ TEST_F(CommandLine, AScenarioFileIsRefusedWithLineAndColumn) {
 }
 
 TEST_F(CommandLine, TheTableDoesNotDependOnTheNumberOfJobs) {
-  const std::string what = "run undisturbed case1/tip_lateral --set duration_s=1.5 --seeds 2 ";
+  const std::string what =
+      "run undisturbed case1/tip_lateral --observer none --observer momentum_com --set duration_s=1.5 --seeds 2 ";
   ASSERT_EQ(dobbench(what + "--jobs 1 --out one").exit_code, 0);
   ASSERT_EQ(dobbench(what + "--jobs 3 --out three").exit_code, 0);
   const Answer one = dobbench("table one --format json");

@@ -111,6 +111,49 @@ TEST(Trial, RecordedTruthIsTheDisturbanceSeenAtTheJoints) {
   EXPECT_LT(largest_difference, 2.0);  // [N] lag of the filter at 1 rad/s and landing transients
 }
 
+// Times at which the set of acting disturbances changes, and the true joint torques shortly after.
+struct Draws {
+  std::vector<double> onset;
+  std::vector<Vec12> torque;
+};
+
+Draws draws_of(const Scenario& scenario, const std::string& observer, int seed) {
+  Trial trial(scenario, load_observer(observer, "matched"), seed);
+  Draws draws;
+  while (trial.time() < scenario.duration && trial.tick()) {
+    if (trial.record().disturbance_onset) draws.onset.push_back(trial.record().t);
+    if (trial.record().t == 0.0 || draws.onset.empty()) continue;
+    if (draws.torque.size() < draws.onset.size() && trial.record().t > draws.onset.back()) {
+      draws.torque.push_back(trial.record().leg_torque_true);
+    }
+  }
+  return draws;
+}
+
+TEST(Trial, RecordsAnOnsetAtEveryDrawOfARandomPushAlsoOnTheSameLeg) {
+  Scenario scenario = load("random_push", 8.0);
+  scenario.random_pushes.at(0).legs = {Leg::kRH};
+  scenario.random_pushes[0].max_N = 11.0;
+  const Draws draws = draws_of(scenario, "momentum_com", 1);
+  ASSERT_EQ(draws.onset.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(draws.onset[i], 1.0 + 2.0 * static_cast<double>(i), 1e-9);
+}
+
+TEST(Trial, ARandomPushIsTheSameForEveryObserverAndAnotherForEverySeed) {
+  const Scenario scenario = load("random_push", 1.05);  // before observers make the states differ
+  const Draws none = draws_of(scenario, "none", 1);
+  const Draws pair = draws_of(scenario, "momentum_com", 1);
+  ASSERT_EQ(none.torque.size(), 1u);
+  EXPECT_EQ(none.torque.size(), pair.torque.size());
+  EXPECT_LT((none.torque[0] - pair.torque[0]).norm(), 1e-3);
+  const Scenario later = load("random_push", 1.4);
+  const Draws other = draws_of(later, "none", 2);
+  ASSERT_EQ(other.onset.size(), 1u);
+  EXPECT_GT(other.onset[0], 1.0);  // the seed shifts the onset of every disturbance
+  EXPECT_LE(other.onset[0], 1.266);
+  EXPECT_GT((other.torque.at(0) - none.torque[0]).norm(), 0.1);
+}
+
 TEST(Trial, AFallEndsTheTrialWithItsReasonAndTime) {
   Scenario scenario = load("undisturbed", 5.0);
   Disturbance push;

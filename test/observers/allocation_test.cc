@@ -12,6 +12,7 @@ TEST(EveryObserver, AllocatesNothingInUpdateAndReset) {
     const auto observer = make_observer(info.name, {}, 1e-3);
     test::IdealPlant plant;
     plant.disturbance.setConstant(1.0);
+    plant.com_disturbance.setConstant(1.0);
     const test::AllocationCounter counter;
     observer->reset(plant.terms());
     for (int k = 0; k < 10; ++k) observer->update(plant.advance(1e-3));

@@ -29,6 +29,7 @@ TEST(Factory, SaysTruthfullyWhatIsEstimated) {
     const auto observer = make_observer(info.name, {}, kTick);
     test::IdealPlant plant;
     plant.disturbance.setConstant(1.0);
+    plant.com_disturbance.setConstant(1.0);
     observer->reset(plant.terms());
     const Estimate estimate = observer->update(plant.advance(kTick));
     EXPECT_EQ(estimate.has_legs, info.estimates_legs) << info.name;
@@ -40,8 +41,9 @@ TEST(Factory, SaysTruthfullyWhatIsEstimated) {
 }
 
 TEST(Factory, ListsWhatExistsWhenTheNameIsUnknown) {
-  EXPECT_THAT([] { make_observer("momemtum", {}, kTick); },
-              ThrowsMessage<OptionError>(AllOf(HasSubstr("momemtum"), HasSubstr("none, momentum"))));
+  EXPECT_THAT(
+      [] { make_observer("momemtum", {}, kTick); },
+      ThrowsMessage<OptionError>(AllOf(HasSubstr("momemtum"), HasSubstr("none, momentum, com_wrench, momentum_com"))));
 }
 
 TEST(Factory, EveryObserverRefusesAnUnknownOption) {

@@ -16,7 +16,8 @@ TEST(Lanes, SineAndCosineAreExactToRoundingOverTheStatedRange) {
     std::uniform_real_distribution<double> uniform(-range, range);
     long double worst = 0.0L;
     for (int i = 0; i < 20000; ++i) {
-      const Lanes x{uniform(random), uniform(random)};
+      Lanes x;
+      for (int lane = 0; lane < kLanes; ++lane) x[lane] = uniform(random);
       const SinCos answer = sincos(x);
       for (int lane = 0; lane < kLanes; ++lane) {
         worst = std::max({worst, std::abs(answer.sin[lane] - std::sin(static_cast<long double>(x[lane]))),
@@ -28,10 +29,48 @@ TEST(Lanes, SineAndCosineAreExactToRoundingOverTheStatedRange) {
 }
 
 TEST(Lanes, NaNStaysInItsLane) {
-  const SinCos answer = sincos(Lanes{std::numeric_limits<double>::quiet_NaN(), 0.5});
-  EXPECT_TRUE(std::isnan(answer.sin[0]));
-  EXPECT_TRUE(std::isnan(answer.cos[0]));
-  EXPECT_NEAR(answer.sin[1], std::sin(0.5), 2e-16);
+  for (int bad = 0; bad < kLanes; ++bad) {
+    Lanes x = broadcast(0.5);
+    x[bad] = std::numeric_limits<double>::quiet_NaN();
+    const SinCos answer = sincos(x);
+    for (int lane = 0; lane < kLanes; ++lane) {
+      EXPECT_EQ(std::isnan(answer.sin[lane]), lane == bad);
+      EXPECT_EQ(std::isnan(answer.cos[lane]), lane == bad);
+      if (lane == bad) continue;
+      EXPECT_NEAR(answer.sin[lane], std::sin(0.5), 2e-16);
+    }
+  }
+}
+
+Lanes numbered() {
+  Lanes x;
+  for (int lane = 0; lane < kLanes; ++lane) x[lane] = lane + 1.0;
+  return x;
+}
+
+TEST(Lanes, RotateByOneGatherWithAStrideAndSum) {
+  const Lanes rotated = rotate_lanes(numbered());
+  const double memory[] = {1.0, -1.0, -1.0, 2.0, -1.0, -1.0, 3.0, -1.0, -1.0, 4.0, -1.0, -1.0};
+  const Lanes gathered = gather_lanes<3>(memory);
+  for (int lane = 0; lane < kLanes; ++lane) {
+    EXPECT_EQ(rotated[lane], (lane + 1) % kLanes + 1.0);
+    EXPECT_EQ(gathered[lane], lane + 1.0);
+    EXPECT_TRUE(std::signbit(broadcast(-0.0)[lane]));
+  }
+  EXPECT_EQ(sum_lanes(numbered()), kLanes * (kLanes + 1) / 2.0);
+}
+
+TEST(Lanes, AreStoredAsVectorsOfTheirLegsAndNothingBeside) {
+  std::array<double, 4 * kLanes> memory;
+  memory.fill(-1.0);
+  store({numbered(), 10.0 * numbered(), 100.0 * numbered()}, [&](int n) { return memory.data() + 4 * n; });
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    const double x = static_cast<double>(lane) + 1.0;
+    EXPECT_EQ(memory[4 * lane], x);
+    EXPECT_EQ(memory[4 * lane + 1], 10.0 * x);
+    EXPECT_EQ(memory[4 * lane + 2], 100.0 * x);
+    EXPECT_EQ(memory[4 * lane + 3], -1.0);
+  }
 }
 
 }  // namespace

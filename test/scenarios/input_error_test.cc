@@ -147,6 +147,35 @@ TEST(InputError, AFootIsOnlyOnALowerLinkAndAPointIsGivenOnce) {
             "allowed: foot only on the lower link of a leg; else origin");
 }
 
+TEST(InputError, ARandomDisturbanceIsCheckedLikeAWrittenOne) {
+  const std::string random =
+      "[[disturbance]]\nprofile = \"random\"\nmin_N = 10\nmax_N = 35\nhold_s = 2\nlegs = \"any\"\n";
+  EXPECT_EQ(error_with(random), "no error");
+  const auto with = [&](const std::string& line, const std::string& other) {
+    std::string text = random;
+    return error_with(text.replace(text.find(line), line.size(), other));
+  };
+  EXPECT_EQ(with("\"random\"", "\"noise\""),
+            "mine.toml:6:1: disturbance.0.profile: \"noise\"; allowed: one of constant, sine, random");
+  EXPECT_EQ(with("min_N = 10", "min_N = -1"),
+            "mine.toml:7:1: disturbance.0.min_N: -1; allowed: a number from 0 to 100000");
+  EXPECT_EQ(with("max_N = 35", "max_N = 5"),
+            "mine.toml:8:1: disturbance.0.max_N: 5; allowed: a number from 10 to 100000");
+  EXPECT_EQ(with("hold_s = 2", "hold_s = 0"),
+            "mine.toml:9:1: disturbance.0.hold_s: 0; allowed: a number from 0.05 to 100000");
+  EXPECT_EQ(with("hold_s = 2", "hold_ms = 2"),
+            "mine.toml:9:1: disturbance.0.hold_ms: unknown key 'hold_ms'; did you mean 'hold_s'?");
+  const std::string legs = "; allowed: \"any\", or a list of LF, RF, LH, RH, each at most once";
+  EXPECT_EQ(with("\"any\"", "\"FL\""), "mine.toml:10:1: disturbance.0.legs: \"FL\"" + legs);
+  EXPECT_EQ(with("\"any\"", "[\"LF\", \"LF\"]"), "mine.toml:10:1: disturbance.0.legs: [\"LF\", \"LF\"]" + legs);
+  EXPECT_EQ(with("\"any\"", "[\"LF\", \"any\"]"), "mine.toml:10:1: disturbance.0.legs: [\"LF\", \"any\"]" + legs);
+  EXPECT_EQ(with("\"any\"", "[]"), "mine.toml:10:1: disturbance.0.legs: []; allowed: a text, or a list of texts");
+  EXPECT_EQ(with("\"any\"", "[1]"), "mine.toml:10:1: disturbance.0.legs: [1]; allowed: a text, or a list of texts");
+  EXPECT_THAT(with("legs = \"any\"\n", ""), HasSubstr("disturbance.0.legs: missing"));
+  EXPECT_THAT(error_with(random + "direction = [1, 0, 0]\n"),
+              StartsWith("mine.toml:11:1: disturbance.0.direction: unknown key 'direction'"));
+}
+
 TEST(InputError, MissingKeysNameTheirTable) {
   EXPECT_EQ(error_in("summary = \"s\"\n"), "mine.toml:1:1: path: missing; the key is needed here");
   EXPECT_EQ(error_in("[[path]]\nduration_s = 1\nspeed_m_s = 0.1\n"),
@@ -169,10 +198,11 @@ TEST(InputError, MissingFilesAndScenariosAreNamed) {
   const std::string directory = (files.directory() / "folder.toml").string();
   std::filesystem::create_directory(directory);
   EXPECT_EQ(error_of({.name = directory}), directory + ": cannot be read; a TOML file is needed");
-  EXPECT_EQ(error_of({.name = "case9"}), "scenario: there is no 'case9'; there are: case1, crawl, undisturbed");
-  EXPECT_EQ(error_of({.name = ""}), "scenario: there is no ''; there are: case1, crawl, undisturbed");
+  EXPECT_EQ(error_of({.name = "case9"}),
+            "scenario: there is no 'case9'; there are: case1, crawl, random_push, undisturbed");
+  EXPECT_EQ(error_of({.name = ""}), "scenario: there is no ''; there are: case1, crawl, random_push, undisturbed");
   EXPECT_EQ(error_of({.name = "../scenarios/case1"}),
-            "scenario: there is no '..'; there are: case1, crawl, undisturbed");
+            "scenario: there is no '..'; there are: case1, crawl, random_push, undisturbed");
 }
 
 TEST(InputError, VariantsAreNamed) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "observers/com_wrench.h"
 #include "observers/factory.h"
 #include "observers/momentum.h"
 #include "scenarios/loader.h"
@@ -63,6 +64,36 @@ TEST(Profiles, MatchedHasTwentyTimesTheBandwidth) {
   EXPECT_TRUE(config.routing.torque_36);
 }
 
+TEST(Profiles, OfThePaperHasTheGainsOfTheComWrenchBaselineAndItsRouting) {
+  const ObserverConfig config = load_observer("com_wrench", "paper");
+  const ComWrenchOptions options = read_com_wrench_options(config.options);
+  EXPECT_EQ(options.linear_gain, 25.0);
+  EXPECT_EQ(options.angular_gain, 10.0);
+  EXPECT_TRUE(config.routing.wrench_17);
+  EXPECT_FALSE(config.routing.dynamics_18);
+  EXPECT_EQ(config.routing.swing_31, Routing::Swing::kOff);
+}
+
+// A first-order observer's gain is its -3 dB bandwidth.
+TEST(Profiles, MatchedHasOneBandwidthForEveryEstimate) {
+  const double width = bandwidth(gains_of(load_observer("momentum", "matched")));
+  const ComWrenchOptions com = read_com_wrench_options(load_observer("com_wrench", "matched").options);
+  EXPECT_NEAR(com.linear_gain / width, 1.0, 0.005);
+  EXPECT_EQ(com.angular_gain, com.linear_gain);
+  const ObserverConfig pair = load_observer("momentum_com", "matched");
+  EXPECT_EQ(std::get<double>(pair.options.at("com.linear_gain_rad_s")), com.linear_gain);
+  EXPECT_EQ(std::get<double>(pair.options.at("com.angular_gain_rad_s")), com.linear_gain);
+  EXPECT_EQ(std::get<double>(pair.options.at("legs.gain_scale")), 20.0);
+}
+
+TEST(Profiles, UseTheComEstimateOfThePairInBothWrenchAndDynamics) {
+  for (const std::string& profile : list_profiles()) {
+    const Routing routing = load_observer("momentum_com", profile).routing;
+    EXPECT_TRUE(routing.wrench_17 && routing.dynamics_18 && routing.torque_36) << profile;
+    EXPECT_EQ(routing.swing_31, Routing::Swing::kProjected) << profile;
+  }
+}
+
 TEST(Profiles, SayNothingAboutNoObserver) {
   const ObserverConfig config = load_observer("none", "paper");
   EXPECT_EQ(config.profile, "-");
@@ -81,6 +112,24 @@ TEST(LoadObserver, LaysTheSpecificationOverTheProfile) {
   EXPECT_EQ(config.routing.swing_31, Routing::Swing::kDirect);
 }
 
+TEST(LoadObserver, LaysOptionsOfThePartsOfAPairOverTheProfile) {
+  const ObserverConfig config =
+      load_observer("momentum_com:legs.gain_scale=10,com.linear_gain_rad_s=50,routing.torque_36=false", "matched");
+  EXPECT_EQ(std::get<double>(config.options.at("legs.gain_scale")), 10.0);
+  EXPECT_EQ(std::get<std::vector<double>>(config.options.at("legs.gains")).size(), 3u);  // still the profile's
+  EXPECT_EQ(std::get<double>(config.options.at("com.linear_gain_rad_s")), 50.0);
+  EXPECT_EQ(std::get<double>(config.options.at("com.angular_gain_rad_s")), 72.26);
+  EXPECT_EQ(config.options.size(), 4u);
+  EXPECT_FALSE(config.routing.torque_36);
+}
+
+TEST(LoadObserver, RefusesOptionsOfAPairWithTheNameOfThePart) {
+  EXPECT_THAT(error_of("momentum_com:legs.gian=1"), AllOf(HasSubstr("momentum_com, part legs"), HasSubstr("gian = 1")));
+  EXPECT_THAT(error_of("momentum_com:gain_scale=1"), HasSubstr("there are: legs.KEY and com.KEY"));
+  EXPECT_THAT(error_of("momentum_com:legs=1"), HasSubstr("legs"));
+  EXPECT_THAT(error_of("momentum:legs.gain_scale=1"), HasSubstr("no such option"));
+}
+
 TEST(LoadObserver, RefusesThePrintedOrderOfTheGainsWithTheReason) {
   EXPECT_THAT(error_of("momentum:gains=17.5;6.28;2.25"), AllOf(StartsWith("--observer momentum:gains=17.5;6.28;2.25: "),
                                                                HasSubstr("gains"), HasSubstr("unstable")));
@@ -94,8 +143,9 @@ TEST(LoadObserver, RefusesGainsThatAreUnstableAtTheTick) {
 }
 
 TEST(LoadObserver, RefusesWhatItDoesNotKnow) {
-  EXPECT_EQ(error_of("magic"), "--observer magic: there is no observer 'magic'; there are: none, momentum");
-  EXPECT_EQ(error_of(""), "--observer : there is no observer ''; there are: none, momentum");
+  EXPECT_EQ(error_of("magic"),
+            "--observer magic: there is no observer 'magic'; there are: none, momentum, com_wrench, momentum_com");
+  EXPECT_EQ(error_of(""), "--observer : there is no observer ''; there are: none, momentum, com_wrench, momentum_com");
   EXPECT_EQ(error_of("momentum", "mine"), "--profile: there is no 'mine'; there are: matched, paper");
   EXPECT_THAT(error_of("momentum:gian_scale=2"), AllOf(StartsWith("--observer momentum:gian_scale=2: "),
                                                        HasSubstr("gian_scale"), HasSubstr("no such option")));
@@ -139,12 +189,15 @@ TEST_F(OwnProfile, ThatDoesNotMentionAnObserverLeavesItItsDefaults) {
 }
 
 TEST_F(OwnProfile, IsRefusedAtItsLine) {
-  EXPECT_EQ(error_in("\n[momentun]\n"), path_ + ":2:2: there is no observer 'momentun'; there are: none, momentum");
+  EXPECT_EQ(error_in("\n[momentun]\n"),
+            path_ + ":2:2: there is no observer 'momentun'; there are: none, momentum, com_wrench, momentum_com");
   EXPECT_EQ(error_in("[none]\n"),
             path_ + ":1:2: none: this observer estimates nothing; a profile has nothing to say about it");
   EXPECT_EQ(error_in("momentum = 1\n"), path_ + ":1:1: momentum: 1; allowed: a table");
   EXPECT_EQ(error_in("[momentum]\ngains = [1, \"x\"]\n"),
             path_ + ":2:1: momentum.gains: [1, \"x\"]; allowed: true, false, a number, a text, a list of numbers");
+  EXPECT_EQ(error_in("[momentum.legs]\n"),
+            path_ + ":1:11: momentum.legs: a table; allowed: true, false, a number, a text, a list of numbers");
   EXPECT_THAT(error_in("[momentum]\ngain = 1\n"), AllOf(StartsWith(path_ + ":1:2: "), HasSubstr("option gain")));
   EXPECT_EQ(error_in("[momentum.routing]\ntorque_36 = \"yes\"\n"),
             path_ + ":2:1: momentum.routing.torque_36: \"yes\"; allowed: true or false");

@@ -57,6 +57,10 @@ void print_world(Print& p, const Scenario& s) {
     p(d.leg, static_cast<int>(d.link), static_cast<int>(d.frame));
     for (int i = 0; i < 3; ++i) p(d.p_L[i], d.direction[i]);
   }
+  for (const RandomPush& r : s.random_pushes) {
+    p(r.min_N, r.max_N, r.hold_s, r.start_s, r.duration_s);
+    for (const Leg leg : r.legs) p(static_cast<int>(leg));
+  }
 }
 
 std::string print(const Scenario& s) {

@@ -28,15 +28,16 @@ Scenario load_text(const ScratchFiles& files, const std::string& text) {
 
 TEST(ShippedScenarios, AreListedWithTheirVariants) {
   const std::vector<ScenarioInfo> list = list_scenarios();
-  ASSERT_EQ(list.size(), 3u);
+  ASSERT_EQ(list.size(), 4u);
   EXPECT_EQ(list[0].name, "case1");
   EXPECT_THAT(list[0].variants, ElementsAre("knee_lateral", "tip_lateral", "knee_sagittal", "tip_sagittal"));
   EXPECT_EQ(list[1].name, "crawl");
-  EXPECT_THAT(list[1].variants, ElementsAre("undisturbed", "knee_lateral", "tip_lateral"));
-  EXPECT_EQ(list[2].name, "undisturbed");
-  EXPECT_THAT(list[2].variants, ElementsAre());
-  EXPECT_EQ(list[2].summary, "120 s straight trot, no disturbance");
-  EXPECT_TRUE(std::filesystem::is_regular_file(list[2].path));
+  EXPECT_THAT(list[1].variants, ElementsAre("undisturbed", "knee_lateral", "tip_lateral", "random_push"));
+  EXPECT_EQ(list[2].name, "random_push");
+  EXPECT_EQ(list[3].name, "undisturbed");
+  EXPECT_THAT(list[3].variants, ElementsAre());
+  EXPECT_EQ(list[3].summary, "120 s straight trot, no disturbance");
+  EXPECT_TRUE(std::filesystem::is_regular_file(list[3].path));
 }
 
 TEST(ShippedScenarios, AllLoadWithEveryGainSet) {
@@ -200,6 +201,40 @@ TEST(Case1, PushesKneeOrTipLaterallyOrSagittallyWithTheSameSine) {
     const bool tip = i % 2 == 1;
     EXPECT_LT((d.p_L - (tip ? Vec3(0.035, 0.0, -0.3) : Vec3(0.0, 0.0, 0.0))).norm(), 1e-12) << d.p_L.transpose();
   }
+}
+
+TEST(RandomPushScenario, DrawsTenTo35NewtonEveryTwoSecondsOnAnyLegAlongThePathOf3Point7Metres) {
+  const Scenario s = load_one({.name = "random_push"});
+  const double durations[] = {8.0, 8.0, 6.8, 8.0};
+  const double yaw_rates[] = {0.0, 0.05, 0.0, -0.05};
+  ASSERT_EQ(s.path.size(), 4u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(s.path[i].duration, durations[i]);
+    EXPECT_EQ(s.path[i].speed, 0.12);
+    EXPECT_EQ(s.path[i].yaw_rate, yaw_rates[i]);
+  }
+  EXPECT_NEAR(ReferencePath(s.path).length(), 3.696, 1e-12);
+  EXPECT_FALSE(s.metric_leg.has_value());
+  EXPECT_TRUE(s.disturbances.empty());
+  ASSERT_EQ(s.random_pushes.size(), 1u);
+  const RandomPush& push = s.random_pushes[0];
+  EXPECT_EQ(push.min_N, 10.0);
+  EXPECT_EQ(push.max_N, 35.0);
+  EXPECT_EQ(push.hold_s, 2.0);
+  EXPECT_EQ(push.start_s, 1.0);
+  EXPECT_EQ(push.duration_s, std::numeric_limits<double>::infinity());
+  EXPECT_THAT(push.legs, ElementsAre(Leg::kLF, Leg::kRF, Leg::kLH, Leg::kRH));
+}
+
+TEST(RandomPushScenario, MayBeNarrowedToAWindowAndToSomeLegs) {
+  const Scenario s = load_one(
+      {.name = "random_push",
+       .overrides = {"disturbance.0.legs=[\"RH\", \"LF\"]", "disturbance.0.max_N=20", "disturbance.0.duration_s=7"}});
+  EXPECT_THAT(s.random_pushes.at(0).legs, ElementsAre(Leg::kRH, Leg::kLF));
+  EXPECT_EQ(s.random_pushes[0].max_N, 20.0);
+  EXPECT_EQ(s.random_pushes[0].duration_s, 7.0);
+  EXPECT_THAT(load_one({.name = "random_push", .overrides = {"disturbance.0.legs=LH"}}).random_pushes.at(0).legs,
+              ElementsAre(Leg::kLH));
 }
 
 struct Gains {
