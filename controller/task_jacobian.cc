@@ -36,6 +36,9 @@ bool invert(Mat6& A) noexcept {
   return std::isfinite(A.sum());
 }
 
+// A knee 2e-5 rad from stretched: what is left of the precision of D^-1 beyond that does not carry a foot.
+constexpr double kSmallestDeterminant = 1e-6;  // [m^3] of a leg's block
+
 bool TaskJacobian::factorize(const ModelTerms& m, const PerLeg<LegPoint>& points) noexcept {
   A_c = m.A_c;
   F.topRows<3>() = m.mass * A_c.topRows<3>();
@@ -43,7 +46,7 @@ bool TaskJacobian::factorize(const ModelTerms& m, const PerLeg<LegPoint>& points
   Mat6 S = Mat6::Identity();
   for (int l = 0; l < kLegs; ++l) {
     bool invertible = false;
-    points[l].J_q.computeInverseWithCheck(D_inv[l], invertible, 1e-9);
+    points[l].J_q.computeInverseWithCheck(D_inv[l], invertible, kSmallestDeterminant);
     if (!invertible) return false;
     arm[l] = points[l].p - m.p_com;
     E[l].leftCols<3>() = D_inv[l];
@@ -54,10 +57,10 @@ bool TaskJacobian::factorize(const ModelTerms& m, const PerLeg<LegPoint>& points
   return invert(S_inv);
 }
 
-Vec12 TaskJacobian::solve(const Vec12& e) const noexcept {
+Vec12 TaskJacobian::solve(const Vec6& rdd_c, const Vec12& e) const noexcept {
   Vec12 qdd;
   for (int l = 0; l < kLegs; ++l) qdd.segment<3>(3 * l).noalias() = D_inv[l] * e.segment<3>(3 * l);
-  const Vec6 y = -S_inv * A_c.lazyProduct(qdd).eval();
+  const Vec6 y = S_inv * (rdd_c - A_c.lazyProduct(qdd));
   for (int l = 0; l < kLegs; ++l) qdd.segment<3>(3 * l).noalias() -= E[l] * y;
   return qdd;
 }

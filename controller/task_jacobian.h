@@ -26,8 +26,8 @@ struct TaskJacobian {
   // undefined. A term that is not finite counts as singular.
   bool factorize(const ModelTerms& m, const PerLeg<LegPoint>& points) noexcept;
 
-  // J_j^-1 e [rad/s^2]: joint accelerations for point accelerations e [m/s^2] while the CoM frame does not accelerate.
-  Vec12 solve(const Vec12& e) const noexcept;
+  // qdd [rad/s^2] of J_com rdd_c + J_j qdd = e [m/s^2].
+  Vec12 solve(const Vec6& rdd_c, const Vec12& e) const noexcept;
 
   // J_j^-T tau [N]: forces at the points that act on the joints as the torques tau [N m] do (footnote 1).
   Vec12 solve_transposed(const Vec12& tau) const noexcept;

@@ -70,8 +70,8 @@ Vec6 WholeBodyQp::per_com_inertia(const Vec6& wrench) const noexcept {
 void WholeBodyQp::assemble_maps(const ModelTerms& m, const MotionReference& reference, const Compensation& compensation,
                                 const PerLeg<LegPoint>& points, const TaskJacobian& J) noexcept {
   const double sign = options_.printed_sign_21 ? -1.0 : 1.0;
-  Vec12 e = -acceleration_bias(m, points);  // at delta = 0
-  Mat6x12 trunk;                            // S Y
+  e_0_ = -acceleration_bias(m, points);
+  Mat6x12 trunk;  // S Y
   for (int l = 0; l < kLegs; ++l) {
     if (stance_[l]) {
       const Mat3 moment = skew(J.arm[l]);
@@ -82,23 +82,23 @@ void WholeBodyQp::assemble_maps(const ModelTerms& m, const MotionReference& refe
       B_[l].setZero();
     } else {
       const Motion<Vec3>& ref = reference.foot[l];
-      e.segment<3>(3 * l) += ref.a + options_.swing_kd * (ref.v - points[l].v) +
-                             options_.swing_kp * (ref.p - points[l].p) -
-                             compensation.swing_acceleration.segment<3>(3 * l);  // (30), (31)
+      e_0_.segment<3>(3 * l) += ref.a + options_.swing_kd * (ref.v - points[l].v) +
+                                options_.swing_kp * (ref.p - points[l].p) -
+                                compensation.swing_acceleration.segment<3>(3 * l);  // (30), (31)
       W_.middleCols<3>(3 * l).setZero();
       B_[l] = J.D_inv[l] / kTrackingErrorScale;
       trunk.middleCols<3>(3 * l).noalias() = -J.A_c.middleCols<3>(3 * l).lazyProduct(B_[l]);
     }
-    own_qdd_0_.segment<3>(3 * l).noalias() = J.D_inv[l] * e.segment<3>(3 * l);
+    own_qdd_0_.segment<3>(3 * l).noalias() = J.D_inv[l] * e_0_.segment<3>(3 * l);
   }
   Vec6 w_18 = compensation.dynamics;
   w_18[2] -= m.mass * kGravity;
   rdd_0_ = per_com_inertia(w_18);
-  y_0_.noalias() = J.S_inv * (rdd_0_ - J.A_c.lazyProduct(own_qdd_0_));
+  const Vec6 y_0 = J.S_inv * (rdd_0_ - J.A_c.lazyProduct(own_qdd_0_));
   const Rows6x12 SY = trunk;
   for (int i = 0; i < 6; ++i) Y_.row(i) = row_through(J.S_inv.row(i), SY);
   for (int l = 0; l < kLegs; ++l) {
-    qdd_0_.segment<3>(3 * l) = own_qdd_0_.segment<3>(3 * l) - J.E[l] * y_0_;
+    qdd_0_.segment<3>(3 * l) = own_qdd_0_.segment<3>(3 * l) - J.E[l] * y_0;
   }
 }
 
@@ -231,21 +231,19 @@ WbcProblem WholeBodyQp::with_contact_rows_only() const noexcept {
   return relaxed;
 }
 
+// From e and rdd_c again, not by the maps from x: a large e_0 that delta takes back would leave its rounding errors.
 WbcSolution WholeBodyQp::recover(const Vec12& x, const TaskJacobian& J) const noexcept {
   const double sign = options_.printed_sign_21 ? -1.0 : 1.0;
   WbcSolution s;
-  const Vec6 wrench = W_.lazyProduct(x);
-  const Vec6 y = y_0_ + Y_.lazyProduct(x);
-  s.rdd_c = rdd_0_ + sign * per_com_inertia(wrench);
   for (int l = 0; l < kLegs; ++l) {
-    const Vec3 own = x.segment<3>(3 * l);
-    s.qdd.segment<3>(3 * l) = own_qdd_0_.segment<3>(3 * l) - J.E[l] * y + B_[l] * own;
     if (stance_[l]) {
-      s.foot_force.segment<3>(3 * l) = own;
+      s.foot_force.segment<3>(3 * l) = x.segment<3>(3 * l);
     } else {
-      s.tracking_error.segment<3>(3 * l) = own / kTrackingErrorScale;
+      s.tracking_error.segment<3>(3 * l) = x.segment<3>(3 * l) / kTrackingErrorScale;
     }
   }
+  s.rdd_c = rdd_0_ + sign * per_com_inertia(W_.lazyProduct(x));
+  s.qdd = J.solve(s.rdd_c, e_0_ + s.tracking_error);
   return s;
 }
 

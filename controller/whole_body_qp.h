@@ -81,7 +81,7 @@ class WholeBodyQp {
   Rows6x12 Y_;
   PerLeg<Mat3> B_;
   Vec6 rdd_0_;
-  Vec6 y_0_;
+  Vec12 e_0_;
   Vec12 own_qdd_0_;  // D^-1 e_0: what the legs do while the trunk does not accelerate
   Vec12 qdd_0_;
 };

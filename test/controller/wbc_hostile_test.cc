@@ -31,7 +31,9 @@ class HostileInstances {
         scenario_(load_scenarios({.name = "undisturbed", .gains = "", .planner = "", .overrides = {}}).front()),
         model_(load_robot(scenario_.robot.urdf, scenario_.robot.forward)),
         standing_(standing_pose(model_, scenario_.planner.com_height, scenario_.planner.foot_offset_x,
-                                scenario_.planner.foot_offset_y, scenario_.robot.posture)) {}
+                                scenario_.planner.foot_offset_y, scenario_.robot.posture)) {
+    for (int l = 0; l < kLegs; ++l) stretched_knee_[static_cast<std::size_t>(l)] = find_stretched_knee(l);
+  }
 
   Hostile draw() {
     Hostile h;
@@ -43,8 +45,8 @@ class HostileInstances {
     for (double& qd : state.qd) qd = uniform(-3.0, 3.0) * (chance(0.05) ? 100.0 : 1.0);
     if (chance(0.2)) {  // a knee that is nearly stretched, or stretched
       const auto leg = static_cast<int>(uniform(0.0, 4.0));
-      const double side = standing_.q[3 * leg + 2] > 0.0 ? 1.0 : -1.0;
-      state.q[3 * leg + 2] = side * (stretched_ + (chance(0.1) ? 0.0 : log_uniform(1e-9, 0.1)));
+      const double bent = chance(0.1) ? 0.0 : log_uniform(1e-9, 0.1);
+      state.q[3 * leg + 2] = stretched_knee_[static_cast<std::size_t>(leg)] + (chance(0.5) ? bent : -bent);
     }
     model_.compute(state, h.in.m);
     for (bool& stands : h.in.stance) stands = chance(0.6);
@@ -86,6 +88,26 @@ class HostileInstances {
 
  private:
   double log_uniform(double from, double to) { return std::pow(10.0, uniform(std::log10(from), std::log10(to))); }
+
+  // Knee angle [rad] at which the leg is straight, by bisection of the determinant's sign.
+  double find_stretched_knee(int leg) {
+    ModelTerms m;
+    RobotState state = standing_;
+    const auto determinant = [&](double knee) {
+      state.q[3 * leg + 2] = knee;
+      model_.compute(state, m);
+      return m.foot[leg].J_q.determinant();
+    };
+    double low = -0.5, high = 0.5;
+    const bool sign = determinant(low) > 0.0;
+    while (high - low > 1e-15) {
+      const double middle = 0.5 * (low + high);
+      if (middle == low || middle == high) break;
+      ((determinant(middle) > 0.0) == sign ? low : high) = middle;
+    }
+    return low;
+  }
+
   Vec3 vec3(double scale) { return scale * Vec3(uniform(-1.0, 1.0), uniform(-1.0, 1.0), uniform(-1.0, 1.0)); }
   Mat3 rotation(double largest) {
     return Eigen::AngleAxisd(uniform(0.0, largest), vec3(1.0).normalized()).toRotationMatrix();
@@ -115,9 +137,9 @@ class HostileInstances {
 
   void draw_options(Hostile& h) {
     WbcOptions& o = h.options;
-    o.friction = log_uniform(1e-6, 10.0);
+    o.friction = log_uniform(1e-4, 10.0);
     o.min_normal_force = chance(0.5) ? 0.0 : log_uniform(1e-3, 300.0);
-    o.torque_limit = log_uniform(0.1, 300.0);
+    o.torque_limit = chance(0.1) ? log_uniform(0.1, 10.0) : log_uniform(10.0, 300.0);
     o.torque_rows = chance(0.8);
     o.joint_acceleration_limits = chance(0.4);
     if (o.joint_acceleration_limits) {
@@ -139,16 +161,17 @@ class HostileInstances {
   Scenario scenario_;
   Model model_;
   RobotState standing_;
-  double stretched_ = 0.0;  // [rad] knee angle about which the leg is nearly straight
+  PerLeg<double> stretched_knee_{};  // [rad]
 };
 
 // Largest residual of (20) and (32) in the recovered solution, over its largest term.
 double foot_row_residual(const WbcInstance& in, const PerLeg<LegPoint>& points, const Compensation& c,
                          const WbcOptions& o, const WbcSolution& s) {
-  const Vec12 from_joints = jacobian_joints(in.m, points) * s.qdd;
+  const Mat12 J_j = jacobian_joints(in.m, points);
+  const Vec12 from_joints = J_j * s.qdd;
   const Vec12 from_com = jacobian_com(in.m, points) * s.rdd_c;
   Vec12 wanted = -acceleration_bias(in.m, points);
-  double largest = std::max({1.0, from_joints.cwiseAbs().maxCoeff(), from_com.cwiseAbs().maxCoeff()});
+  double largest = std::max({1.0, (J_j * s.qdd.asDiagonal()).cwiseAbs().maxCoeff(), from_com.cwiseAbs().maxCoeff()});
   for (int l = 0; l < kLegs; ++l) {
     if (in.stance[l]) continue;
     const Motion<Vec3>& ref = in.reference.foot[l];
@@ -204,7 +227,7 @@ TEST(HostileWholeBodyQp, NeverClaimsMoreThanItCanProve) {
   constexpr int kDraws = 100000;
   HostileInstances instances(1);
   Tally tally;
-  for (int draw = 0; draw < kDraws && !testing::Test::HasFailure(); ++draw) {
+  for (int draw = 0; draw < kDraws && !HasFailure(); ++draw) {
     SCOPED_TRACE(draw);
     judge(instances.draw(), tally);
   }
@@ -213,10 +236,10 @@ TEST(HostileWholeBodyQp, NeverClaimsMoreThanItCanProve) {
   RecordProperty("singular", tally.singular);
   RecordProperty("inaccurate", tally.inaccurate);
   EXPECT_EQ(tally.other, 0);
-  EXPECT_GE(tally.optimal, 0.5 * kDraws);
-  EXPECT_GE(tally.infeasible, 0.05 * kDraws);
-  EXPECT_GT(tally.singular, 0);
-  EXPECT_LE(tally.inaccurate, 0.001 * kDraws);
+  EXPECT_GE(tally.optimal, 0.4 * kDraws);
+  EXPECT_GE(tally.infeasible, 0.2 * kDraws);
+  EXPECT_GT(tally.singular, 1000);
+  EXPECT_LE(tally.inaccurate, 0.01 * kDraws);  // nearly opposite friction facets, mostly
   EXPECT_GT(tally.force_free, 1000);
   EXPECT_GT(tally.all_friction, 1000);
 }

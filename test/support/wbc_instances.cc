@@ -20,7 +20,7 @@ Scenario case1_tip() {
 
 }  // namespace
 
-std::vector<WbcInstance> recorded_instances(double duration, std::mt19937_64& random) {
+std::vector<WbcInstance> recorded_instances(double duration) {
   Scenario scenario = case1_tip();
   Trial trial(scenario, load_observer("momentum", "matched"), 1);
   std::vector<WbcInstance> instances;
@@ -32,9 +32,15 @@ std::vector<WbcInstance> recorded_instances(double duration, std::mt19937_64& ra
     instance.stance = trial.controller().stance();
     instance.reference = trial.controller().reference();
     instance.estimate.has_legs = true;
-    instance.estimate.leg_torque = uniform_vector(random, 15.0);
+    instance.estimate.leg_torque = trial.record().leg_torque_estimate;
     instances.push_back(instance);
   }
+  return instances;
+}
+
+std::vector<WbcInstance> recorded_instances(double duration, std::mt19937_64& random) {
+  std::vector<WbcInstance> instances = recorded_instances(duration);
+  for (WbcInstance& instance : instances) instance.estimate.leg_torque = uniform_vector(random, 15.0);
   return instances;
 }
 

@@ -18,7 +18,10 @@ struct WbcInstance {
 };
 
 // Every tick at which a trot of DogBot under case 1's force (20 N sine on the foot tip) solved its QP, for `duration`
-// [s] of simulated time, with the estimate replaced by a random one of up to 15 N m per joint.
+// [s] of simulated time, with the observer's estimate.
+std::vector<WbcInstance> recorded_instances(double duration);
+
+// The same with every estimate replaced by a random one of up to 15 N m per joint.
 std::vector<WbcInstance> recorded_instances(double duration, std::mt19937_64& random);
 
 // Random states near the standing pose, random references, estimates and stance sets (any number of feet).
