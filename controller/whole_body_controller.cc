@@ -35,6 +35,15 @@ WholeBodyController::WholeBodyController(const WbcOptions& o, const Routing& rou
   require(o.torque_limit > 0.0, "torque_limit_Nm", o.torque_limit, "> 0");
   require(o.qp_rate > 0.0, "qp_rate_Hz", o.qp_rate, "> 0");
   require(o.acceleration_horizon > 0.0, "acceleration_horizon_s", o.acceleration_horizon, "> 0");
+  for (int j = 0; j < kJoints; ++j) {
+    const JointLimits& limits = o.joint_limits;
+    if (!(limits.lower[j] <= limits.upper[j] && limits.velocity[j] > 0.0)) {
+      throw std::invalid_argument(
+          fmt::format("controller: limits of joint {}: {} to {} rad, {} rad/s; allowed: lower <= "
+                      "upper, velocity > 0",
+                      j, limits.lower[j], limits.upper[j], limits.velocity[j]));
+    }
+  }
 }
 
 void WholeBodyController::reset() noexcept {
@@ -93,15 +102,22 @@ void WholeBodyController::solve(const ModelTerms& m, const MotionReference& refe
   if (tick.qp_status == QpStatus::kOptimal) {
     tick.event = QpEvent::kSolved;
     guess_ = qp_solution_.active;
-  } else if (tick.qp_status != QpStatus::kInvalidInput &&
-             solver_->solve(qp_.with_contact_rows_only(), guess_, qp_solution_) == QpStatus::kOptimal) {
-    tick.event = QpEvent::kTorqueRelaxed;
   } else {
-    tick.event = QpEvent::kNotSolved;
-    return;
+    tick.event = tick.qp_status == QpStatus::kInvalidInput ? QpEvent::kNotSolved : solve_with_fewer_rows();
   }
+  if (tick.event == QpEvent::kNotSolved) return;
   solution_ = qp_.recover(qp_solution_.x, J);
   have_solution_ = true;
+}
+
+QpEvent WholeBodyController::solve_with_fewer_rows() noexcept {
+  const auto is_solved = [this](const WbcProblem& problem) {
+    return solver_->solve(problem, WbcActiveSet{}, qp_solution_) == QpStatus::kOptimal;
+  };
+  if (options_.joint_acceleration_limits && is_solved(qp_.without_acceleration_rows())) {
+    return QpEvent::kAccelerationRelaxed;
+  }
+  return is_solved(qp_.with_contact_rows_only()) ? QpEvent::kTorqueRelaxed : QpEvent::kNotSolved;
 }
 
 }  // namespace dob

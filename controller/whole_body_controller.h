@@ -12,10 +12,11 @@ namespace dob {
 
 // What happened to the QP at a tick.
 enum class QpEvent {
-  kHeld,           // not due: the last solution is held
-  kSolved,         // optimal
-  kTorqueRelaxed,  // fallback 1: not optimal with all rows; solved with the contact rows alone, torques saturate
-  kNotSolved,      // fallback 2: no usable solution, the previous one is held on
+  kHeld,                 // not due: the last solution is held
+  kSolved,               // optimal
+  kAccelerationRelaxed,  // fallback 1: not optimal with the joint acceleration rows; solved without them
+  kTorqueRelaxed,  // fallback 2: not optimal with the torque rows (24) either; solved without them, torques saturate
+  kNotSolved,      // fallback 3: no usable solution, the previous one is held on
 };
 
 struct WbcTick {
@@ -44,6 +45,7 @@ class WholeBodyController {
   const WbcProblem& last_problem() const noexcept { return qp_.problem(); }
 
  private:
+  QpEvent solve_with_fewer_rows() noexcept;
   bool due(long k, double dt, const PerLeg<bool>& stance) const noexcept;
   void solve(const ModelTerms& m, const MotionReference& reference, const Compensation& compensation,
              const PerLeg<LegPoint>& points, const TaskJacobian& J, WbcTick& tick) noexcept;

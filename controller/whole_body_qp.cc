@@ -56,7 +56,9 @@ void WholeBodyQp::assemble(const ModelTerms& m, const PerLeg<bool>& stance, cons
   assemble_maps(m, reference, compensation, points, J);
   assemble_cost(compensation.wrench - desired_wrench(m, reference, options_), J);
   assemble_contact_rows();
+  torque_row_ = problem_.rows;
   if (options_.torque_rows) assemble_torque_rows(m, compensation.torque, points, J);
+  acceleration_row_ = problem_.rows;
   if (options_.joint_acceleration_limits) assemble_acceleration_rows(m.state, J);
 }
 
@@ -181,7 +183,6 @@ void WholeBodyQp::assemble_contact_rows() noexcept {
     p.upper[row + 4] = kInf;
     row += 5;
   }
-  contact_rows_ = row;
   p.rows = row;
 }
 
@@ -225,9 +226,9 @@ void WholeBodyQp::assemble_acceleration_rows(const RobotState& state, const Task
   p.rows += 12;
 }
 
-WbcProblem WholeBodyQp::with_contact_rows_only() const noexcept {
+WbcProblem WholeBodyQp::with_first_rows(int rows) const noexcept {
   WbcProblem relaxed = problem_;
-  relaxed.rows = contact_rows_;
+  relaxed.rows = rows;
   return relaxed;
 }
 

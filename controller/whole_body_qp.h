@@ -51,8 +51,9 @@ class WholeBodyQp {
 
   const WbcProblem& problem() const noexcept { return problem_; }
 
-  // The same problem with its contact rows (23) alone; always feasible.
-  WbcProblem with_contact_rows_only() const noexcept;
+  // The same problem without its acceleration rows; and with its contact rows (23) alone, which is always feasible.
+  WbcProblem without_acceleration_rows() const noexcept { return with_first_rows(acceleration_row_); }
+  WbcProblem with_contact_rows_only() const noexcept { return with_first_rows(torque_row_); }
 
   // Everything else of zeta from the reduced problem's x; `J` as in assemble().
   WbcSolution recover(const Vec12& x, const TaskJacobian& J) const noexcept;
@@ -69,12 +70,14 @@ class WholeBodyQp {
   void assemble_torque_rows(const ModelTerms& m, const Vec12& compensated, const PerLeg<LegPoint>& points,
                             const TaskJacobian& J) noexcept;
   void assemble_acceleration_rows(const RobotState& state, const TaskJacobian& J) noexcept;
+  WbcProblem with_first_rows(int rows) const noexcept;
   Vec6 per_com_inertia(const Vec6& wrench) const noexcept;  // M_com^-1 times
 
   WbcOptions options_;
   WbcProblem problem_;
   PerLeg<bool> stance_{};
-  int contact_rows_ = 0;
+  int torque_row_ = 0;  // first of the torque rows: behind the contact rows
+  int acceleration_row_ = 0;
   double mass_ = 0.0;
   Mat3 I_c_inv_;
   Rows6x12 W_;

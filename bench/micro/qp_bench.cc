@@ -97,7 +97,9 @@ void cold(benchmark::State& state, const std::function<Instances()>& instances, 
     pipeline.solve(in, {});
     active += pipeline.solution().active.size / static_cast<double>(run.size());
   }
-  measure_instances(state, run.size(), [&](std::size_t i) { pipeline.solve(run[i], {}); });
+  WbcInstance now;
+  measure_instances(
+      state, run.size(), [&](std::size_t i) { now = run[i]; }, [&](std::size_t) { pipeline.solve(now, {}); });
   state.counters["instances"] = static_cast<double>(run.size());
   state.counters["active_rows"] = active;
 }
@@ -106,14 +108,18 @@ void cold(benchmark::State& state, const std::function<Instances()>& instances, 
 void warm(benchmark::State& state, const Phase& phase) {
   const Instances run = phase.instances();
   Pipeline pipeline{WbcOptions{}};
+  WbcInstance now;
   WbcActiveSet guess;
-  PerLeg<bool> stance{};
-  measure_instances(state, run.size(), [&](std::size_t i) {
-    if (run[i].stance != stance) guess.size = 0;
-    stance = run[i].stance;
-    pipeline.solve(run[i], guess);
-    guess = pipeline.solution().active;
-  });
+  measure_instances(
+      state, run.size(),
+      [&](std::size_t i) {
+        if (run[i].stance != now.stance) guess.size = 0;
+        now = run[i];
+      },
+      [&](std::size_t) {
+        pipeline.solve(now, guess);
+        guess = pipeline.solution().active;
+      });
   state.counters["instances"] = static_cast<double>(run.size());
 }
 
@@ -127,8 +133,9 @@ void alglib(benchmark::State& state, const Phase& phase, const test::AlglibAul& 
   for (std::size_t i = 0; i < run.size() && problems.size() < 32; i += 5) {
     problems.push_back(std::make_unique<test::AlglibQp>(load(run[i])));
   }
-  measure_instances(state, problems.size(),
-                    [&](std::size_t i) { benchmark::DoNotOptimize(problems[i]->solve_aul(settings)); });
+  measure_instances(
+      state, problems.size(), [](std::size_t) {},
+      [&](std::size_t i) { benchmark::DoNotOptimize(problems[i]->solve_aul(settings)); });
   state.counters["instances"] = static_cast<double>(problems.size());
 }
 
@@ -148,7 +155,7 @@ test::DenseQp reduced(const WbcInstance& in) {
 
 void add_qp_benchmarks() {
   const auto add = [](const std::string& name, auto function) {
-    benchmark::RegisterBenchmark(name.c_str(), function)->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark(name.c_str(), function)->UseManualTime()->Unit(benchmark::kMicrosecond);
   };
   for (const Phase& phase : phases()) {
     const std::string prefix = std::string("qp/") + phase.name;

@@ -48,36 +48,39 @@ void measure(benchmark::State& state, Call&& call, int batch = kBatch) {
   state.counters["allocs_per_iter"] = n == 0 ? 0.0 : static_cast<double>(allocated) / static_cast<double>(n);
 }
 
-// The same for a set of instances whose running time depends on the instance: single calls, `call(i)` with i = 0 ...
-// count - 1 again and again, in order. p50_us and p99_us are over all calls. max_us is over the instances, each with
-// the shortest of its kRepeats or more calls: the slowest instance, not the slowest interruption by the machine. Runs
-// every instance kRepeats times, however few iterations the state asks for.
+// The same for a set of instances whose running time depends on the instance: `call(i)`, timed one by one, with i = 0
+// ... count - 1 again and again, in order. `prepare(i)` before it is not timed: there the instance is brought into the
+// cache, where a tick finds the model terms that it has just computed. p50_us and p99_us are over all calls. max_us is
+// over the instances, each with the shortest of its kRepeats or more calls: the slowest instance, not the slowest
+// interruption by the machine. Runs every instance kRepeats times, however few iterations the state asks for. Needs
+// UseManualTime().
 inline constexpr long kRepeats = 20;
 
-template <typename Call>
-void measure_instances(benchmark::State& state, std::size_t count, Call&& call) {
+template <typename Prepare, typename Call>
+void measure_instances(benchmark::State& state, std::size_t count, Prepare&& prepare, Call&& call) {
   using Clock = std::chrono::steady_clock;
   std::vector<double> samples;
   samples.reserve(kMaxSamples);
   std::vector<double> shortest(count, std::numeric_limits<double>::infinity());
-  const long least = kRepeats * static_cast<long>(count);
-  for (std::size_t i = 0; i < count; ++i) call(i);  // warm up
   const test::AllocationCounter allocations;
   long allocated = 0;
   long n = 0;
   const auto once = [&] {
     const std::size_t i = static_cast<std::size_t>(n++) % count;
+    prepare(i);
     const long before = allocations.count();
     const auto start = Clock::now();
     call(i);
     const auto stop = Clock::now();
     allocated += allocations.count() - before;
-    const double us = 1e6 * std::chrono::duration<double>(stop - start).count();
-    if (samples.size() < kMaxSamples) samples.push_back(us);
-    shortest[i] = std::min(shortest[i], us);
+    const double seconds = std::chrono::duration<double>(stop - start).count();
+    if (samples.size() < kMaxSamples) samples.push_back(1e6 * seconds);
+    shortest[i] = std::min(shortest[i], 1e6 * seconds);
+    return seconds;
   };
-  for (auto _ : state) once();
-  while (n < least) once();
+  while (n < static_cast<long>(count)) once();  // warm up
+  for (auto _ : state) state.SetIterationTime(once());
+  while (n < (kRepeats + 1) * static_cast<long>(count)) once();
   std::sort(samples.begin(), samples.end());
   state.counters["p50_us"] = quantile(samples, 0.5);
   state.counters["p99_us"] = quantile(samples, 0.99);

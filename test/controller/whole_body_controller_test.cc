@@ -242,6 +242,24 @@ TEST_F(WholeBodyControllerTest, AJointBeyondItsLimitDoesNotAccelerateFurther) {
   }
 }
 
+// The feet are to push harder than the weight, so that the trunk rises and some joint goes further beyond its limit.
+TEST_F(WholeBodyControllerTest, AccelerationRowsAreTheFirstToGo) {
+  WbcOptions options;
+  options.joint_acceleration_limits = true;
+  options.joint_limits.lower = in.m.state.q.array() + 0.1;
+  options.joint_limits.upper = in.m.state.q.array() + 0.2;
+  options.min_normal_force = 70.0;
+  const auto event = [&] {
+    WholeBodyController controller(options, Routing{});
+    return controller.update(0, 1e-3, in.m, in.stance, in.reference, in.estimate);
+  };
+  const WbcTick tick = event();
+  EXPECT_EQ(tick.event, QpEvent::kAccelerationRelaxed);
+  EXPECT_EQ(tick.qp_status, QpStatus::kInfeasible);
+  options.torque_limit = 2.0;
+  EXPECT_EQ(event().event, QpEvent::kTorqueRelaxed);
+}
+
 // Whatever the joints' positions and rates are, no bound demands a motion.
 TEST_F(WholeBodyControllerTest, AccelerationLimitsContainRest) {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -282,6 +300,9 @@ TEST_F(WholeBodyControllerTest, RefusesOptionsByName) {
   EXPECT_THROW(WholeBodyController(options, Routing{}), std::invalid_argument);
   options = {};
   options.acceleration_horizon = 0.0;
+  EXPECT_THROW(WholeBodyController(options, Routing{}), std::invalid_argument);
+  options = {};
+  options.joint_limits.velocity[7] = 0.0;
   EXPECT_THROW(WholeBodyController(options, Routing{}), std::invalid_argument);
 }
 
