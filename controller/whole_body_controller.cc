@@ -85,10 +85,10 @@ WbcTick WholeBodyController::update(long k, double dt, const ModelTerms& m, cons
     }
   }
   // (36), with the compensation of the standing legs where the routing asks for it.
-  torque_ = m.M_q.lazyProduct(solution_.qdd);
-  if (options_.coriolis == WbcOptions::Coriolis::kExact) torque_ += m.c_q;
-  torque_ -= joint_torques(m, points, solution_.foot_force) + compensation.torque;
-  torque_ = torque_.cwiseMax(-options_.torque_limit).cwiseMin(options_.torque_limit);
+  Vec12 torque = m.M_q.lazyProduct(solution_.qdd);
+  if (options_.coriolis == WbcOptions::Coriolis::kExact) torque += m.c_q;
+  torque -= joint_torques(m, points, solution_.foot_force) + compensation.torque;
+  if (torque.allFinite()) torque_ = torque.cwiseMax(-options_.torque_limit).cwiseMin(options_.torque_limit);
   tick.torque = torque_;
   return tick;
 }

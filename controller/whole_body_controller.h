@@ -23,7 +23,8 @@ struct WbcTick {
   QpEvent event = QpEvent::kHeld;
   QpStatus qp_status = QpStatus::kOptimal;  // of the full problem, at ticks where it was solved
   int qp_iterations = 0;
-  Vec12 torque = Vec12::Zero();  // [N m] within the torque limit
+  Vec12 torque =
+      Vec12::Zero();  // [N m] within the torque limit, finite: what is not finite is not sent, the last one is
 };
 
 class WholeBodyController {

@@ -155,7 +155,7 @@ test::DenseQp reduced(const WbcInstance& in) {
 
 void add_qp_benchmarks() {
   const auto add = [](const std::string& name, auto function) {
-    benchmark::RegisterBenchmark(name.c_str(), function)->UseManualTime()->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark(name.c_str(), function)->Unit(benchmark::kMicrosecond);
   };
   for (const Phase& phase : phases()) {
     const std::string prefix = std::string("qp/") + phase.name;

@@ -50,10 +50,10 @@ void measure(benchmark::State& state, Call&& call, int batch = kBatch) {
 
 // The same for a set of instances whose running time depends on the instance: `call(i)`, timed one by one, with i = 0
 // ... count - 1 again and again, in order. `prepare(i)` before it is not timed: there the instance is brought into the
-// cache, where a tick finds the model terms that it has just computed. p50_us and p99_us are over all calls. max_us is
-// over the instances, each with the shortest of its kRepeats or more calls: the slowest instance, not the slowest
-// interruption by the machine. Runs every instance kRepeats times, however few iterations the state asks for. Needs
-// UseManualTime().
+// cache, where a tick finds the model terms that it has just computed. (It is in Google Benchmark's own Time column.)
+// p50_us and p99_us are over all calls. max_us is over the instances, each with the shortest of its kRepeats or more
+// calls: the slowest instance, not the slowest interruption by the machine. Runs every instance kRepeats times, however
+// few iterations the state asks for.
 inline constexpr long kRepeats = 20;
 
 template <typename Prepare, typename Call>
@@ -76,10 +76,9 @@ void measure_instances(benchmark::State& state, std::size_t count, Prepare&& pre
     const double seconds = std::chrono::duration<double>(stop - start).count();
     if (samples.size() < kMaxSamples) samples.push_back(1e6 * seconds);
     shortest[i] = std::min(shortest[i], 1e6 * seconds);
-    return seconds;
   };
   while (n < static_cast<long>(count)) once();  // warm up
-  for (auto _ : state) state.SetIterationTime(once());
+  for (auto _ : state) once();
   while (n < (kRepeats + 1) * static_cast<long>(count)) once();
   std::sort(samples.begin(), samples.end());
   state.counters["p50_us"] = quantile(samples, 0.5);

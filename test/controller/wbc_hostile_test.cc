@@ -252,6 +252,8 @@ TEST(HostileWholeBodyQp, WhatIsNotFiniteIsRefusedAndNeverSent) {
     WholeBodyController controller(h.options, h.routing);
     instances.poison(h.in);
     const WbcTick tick = controller.update(0, 1e-3, h.in.m, h.in.stance, h.in.reference, h.in.estimate);
+    ASSERT_TRUE(tick.torque.allFinite());
+    ASSERT_LE(tick.torque.cwiseAbs().maxCoeff(), h.options.torque_limit);
     if (tick.event == QpEvent::kSolved) {  // the poisoned input does not enter this problem
       ASSERT_TRUE(controller.solution().qdd.allFinite());
       ASSERT_TRUE(controller.solution().foot_force.allFinite());
