@@ -77,9 +77,9 @@ void measure_instances(benchmark::State& state, std::size_t count, Prepare&& pre
     if (samples.size() < kMaxSamples) samples.push_back(1e6 * seconds);
     shortest[i] = std::min(shortest[i], 1e6 * seconds);
   };
-  while (n < static_cast<long>(count)) once();  // warm up
+  for (std::size_t i = 0; i < count; ++i) once();  // warm up
   for (auto _ : state) once();
-  while (n < (kRepeats + 1) * static_cast<long>(count)) once();
+  for (long missing = (kRepeats + 1) * static_cast<long>(count) - n; missing > 0; --missing) once();
   std::sort(samples.begin(), samples.end());
   state.counters["p50_us"] = quantile(samples, 0.5);
   state.counters["p99_us"] = quantile(samples, 0.99);
