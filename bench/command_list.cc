@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/commands.h"
+#include "controller/wbc_solver.h"
 #include "observers/factory.h"
 #include "scenarios/loader.h"
 
@@ -40,7 +41,9 @@ Json named(const std::vector<std::string>& names) {
 }
 
 Json solvers() {
-  return Json::array({{{"name", "goldfarb_idnani"}, {"summary", "dual active set, fixed size, 12 variables"}}});
+  Json list = Json::array();
+  for (const WbcSolverInfo& info : wbc_solvers()) list.push_back({{"name", info.name}, {"summary", info.summary}});
+  return list;
 }
 
 void print_section(const std::string& title, const Json& list) {

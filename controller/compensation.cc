@@ -1,6 +1,7 @@
 #include "controller/compensation.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 namespace dob {
 
@@ -10,56 +11,61 @@ PerLeg<LegPoint> task_points(const ModelTerms& m, const PerLeg<bool>& stance) no
   return points;
 }
 
-Vec12 swing_response(const ModelTerms& m, const PerLeg<LegPoint>& points, const PerLeg<bool>& stance,
-                     const Vec12& tip_force) noexcept {
-  // J M^-1 J^T of all feet in CoM coordinates, where M is block-diagonal.
-  const Eigen::LLT<Mat12> M_q(m.M_q);
-  const Mat12 Y = M_q.matrixL().solve(jacobian_joints(m, points).transpose());
-  const Mat12x6 J_com = jacobian_com(m, points);
-  Mat12 response;
-  response.noalias() = Y.transpose() * Y;
-  response.noalias() += J_com.leftCols<3>() * J_com.leftCols<3>().transpose() / m.mass;
-  response.noalias() += J_com.rightCols<3>() * m.I_c_inv * J_com.rightCols<3>().transpose();
-
-  // Eliminate the standing feet: a unit block in place of the swinging ones keeps the size fixed.
-  Vec12 swing_force = Vec12::Zero();
+Vec12 swing_response(const ModelTerms& m, const PerLeg<LegPoint>& points, const TaskJacobian& J,
+                     const PerLeg<bool>& stance, const Vec12& tip_force) noexcept {
+  Mat6 inertia = Mat6::Zero();  // of the trunk with legs that stand or hang freely
+  inertia.diagonal().head<3>().setConstant(m.mass);
+  inertia.bottomRightCorner<3, 3>() = m.I_c;
+  Vec6 wrench = Vec6::Zero();
+  Vec12 free = Vec12::Zero();  // joint accelerations of the swinging legs under a trunk at rest
+  PerLeg<Mat36> follow;        // joint accelerations of a swinging leg per -y
   for (int l = 0; l < kLegs; ++l) {
-    if (!stance[l]) swing_force.segment<3>(3 * l) = tip_force.segment<3>(3 * l);
-  }
-  const Vec12 free = response * swing_force;
-  Mat12 stance_block = Mat12::Identity();
-  Vec12 stance_free = Vec12::Zero();
-  for (int l = 0; l < kLegs; ++l) {
-    if (!stance[l]) continue;
-    stance_free.segment<3>(3 * l) = free.segment<3>(3 * l);
-    for (int k = 0; k < kLegs; ++k) {
-      if (stance[k]) stance_block.block<3, 3>(3 * l, 3 * k) = response.block<3, 3>(3 * l, 3 * k);
+    const Mat36 F_t = J.F.middleCols<3>(3 * l).transpose();
+    if (stance[l]) {
+      const Mat36 F_t_E = F_t - m.M_qq[l].lazyProduct(J.E[l]);
+      inertia.noalias() -= F_t.transpose().lazyProduct(J.E[l]);
+      inertia.noalias() -= J.E[l].transpose().lazyProduct(F_t_E);
+    } else {
+      const Mat3 M_inv = m.M_qq[l].inverse();
+      const Vec3 f = tip_force.segment<3>(3 * l);
+      follow[l].noalias() = M_inv * F_t;
+      free.segment<3>(3 * l).noalias() = M_inv * (points[l].J_q.transpose() * f).eval();
+      inertia.noalias() -= F_t.transpose().lazyProduct(follow[l]);
+      wrench.head<3>() += f;
+      wrench.tail<3>() += J.arm[l].cross(f);
+      wrench.noalias() -= F_t.transpose() * free.segment<3>(3 * l);
     }
   }
-  const Vec12 reaction = -stance_block.llt().solve(stance_free);
-  Vec12 acceleration = free + response * reaction;
+  const Vec6 y = inertia.llt().solve(wrench);
+  Vec12 acceleration = Vec12::Zero();
   for (int l = 0; l < kLegs; ++l) {
-    if (stance[l]) acceleration.segment<3>(3 * l).setZero();
+    if (stance[l]) continue;
+    const Vec3 qdd = free.segment<3>(3 * l) - follow[l] * y;
+    acceleration.segment<3>(3 * l) = y.head<3>() + y.tail<3>().cross(J.arm[l]) + points[l].J_q * qdd;
   }
   return acceleration;
 }
 
-Compensation compensate(const ModelTerms& m, const PerLeg<LegPoint>& points, const Mat12& J_j_inverse,
+Compensation compensate(const ModelTerms& m, const PerLeg<LegPoint>& points, const TaskJacobian& J,
                         const PerLeg<bool>& stance, const DisturbanceEstimate& estimate, const Routing& routing,
                         bool with_swing_term) noexcept {
+  using Source = Routing::WrenchSource;
   Compensation c;
-  Vec6 wrench = estimate.com_wrench;
+  const bool use_com = routing.wrench_source == Source::kCom && estimate.has_com;
+  Vec6 wrench = use_com ? estimate.com_wrench : Vec6::Zero();
   if (estimate.has_legs) {
-    const Vec12 tip_force = J_j_inverse.transpose() * estimate.leg_torque;
+    const Vec12 tip_force = J.solve_transposed(estimate.leg_torque);
     Vec12 stance_force = Vec12::Zero();
     Vec12 swing_force = Vec12::Zero();
     for (int l = 0; l < kLegs; ++l)
       (stance[l] ? stance_force : swing_force).segment<3>(3 * l) = tip_force.segment<3>(3 * l);
-    if (!estimate.has_com) wrench = com_wrench(m, points, stance_force);
+    if (!use_com) {
+      wrench = com_wrench(m, points, routing.wrench_source == Source::kAllLegs ? tip_force : stance_force);
+    }
     if (routing.torque_36) c.torque += joint_torques(m, points, stance_force);
     if (routing.swing_31 == Routing::Swing::kDirect) c.torque += joint_torques(m, points, swing_force);
-    if (routing.swing_31 == Routing::Swing::kProjected && with_swing_term) {
-      c.swing_acceleration = swing_response(m, points, stance, swing_force);
+    if (routing.swing_31 == Routing::Swing::kProjected && with_swing_term && !swing_force.isZero(0.0)) {
+      c.swing_acceleration = swing_response(m, points, J, stance, swing_force);
     }
   }
   if (routing.wrench_17) c.wrench = wrench;

@@ -1,8 +1,8 @@
 // How an observer's estimate enters the controller: the four compensation paths of (17), (18), (31) and (36).
 #pragma once
 
+#include "controller/task_jacobian.h"
 #include "controller/wbc_options.h"
-#include "robot/model_terms.h"
 
 namespace dob {
 
@@ -25,16 +25,19 @@ struct Compensation {
 // swinging one. f_hat is defined at these points.
 PerLeg<LegPoint> task_points(const ModelTerms& m, const PerLeg<bool>& stance) noexcept;
 
-// `J_j_inverse`: inverse of the joint columns of the task points' Jacobian.
-// `with_swing_term` = false skips the swing term of (31), which only the QP needs (it costs the factors of M_q).
-Compensation compensate(const ModelTerms& m, const PerLeg<LegPoint>& points, const Mat12& J_j_inverse,
+// `J`: the factored Jacobian of `points`. `with_swing_term` = false skips the swing term of (31), which only the QP
+// needs.
+Compensation compensate(const ModelTerms& m, const PerLeg<LegPoint>& points, const TaskJacobian& J,
                         const PerLeg<bool>& stance, const DisturbanceEstimate& estimate, const Routing& routing,
                         bool with_swing_term) noexcept;
 
 // J_sw M_c^-1 P J_sw^T f_sw of (29), (31): acceleration that forces on the swinging feet cause while the standing feet
-// stay. Uses the identity M_c^-1 P = M^-1 - M^-1 J_st^T (J_st M^-1 J_st^T)^-1 J_st M^-1 for P = I - pinv(J_st) J_st,
-// exact for J_st of full row rank. 12-vector [m/s^2], zero for standing legs.
-Vec12 swing_response(const ModelTerms& m, const PerLeg<LegPoint>& points, const PerLeg<bool>& stance,
-                     const Vec12& tip_force) noexcept;
+// stay. 12-vector [m/s^2], zero for standing legs. For P = I - pinv(J_st) J_st with J_st of full row rank,
+//     M_c^-1 P = M^-1 - M^-1 J_st^T (J_st M^-1 J_st^T)^-1 J_st M^-1,
+// the inverse inertia of the robot with its standing feet held. It is applied leg by leg in the coordinates of
+// controller/task_jacobian.h: qdd = -E y of a standing leg, M_qq qdd = D^T f - F^T y of a swinging one, and what the
+// legs leave to the trunk is one positive definite system for its acceleration y.
+Vec12 swing_response(const ModelTerms& m, const PerLeg<LegPoint>& points, const TaskJacobian& J,
+                     const PerLeg<bool>& stance, const Vec12& tip_force) noexcept;
 
 }  // namespace dob

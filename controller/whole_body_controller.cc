@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,8 +17,10 @@ void require(bool ok, const char* name, double value, const char* allowed) {
 
 }  // namespace
 
-WholeBodyController::WholeBodyController(const WbcOptions& o, const Routing& routing)
-    : options_(o), routing_(routing), qp_(o) {
+WholeBodyController::WholeBodyController(const WbcOptions& o, const Routing& routing,
+                                         std::unique_ptr<WbcQpSolver> solver)
+    : options_(o), routing_(routing), qp_(o), solver_(std::move(solver)) {
+  if (solver_ == nullptr) throw std::invalid_argument("controller: no QP solver");
   for (int i = 0; i < 6; ++i) {
     require(o.wrench_kp[i] >= 0.0, "wrench_kp", o.wrench_kp[i], ">= 0");
     require(o.wrench_kd[i] >= 0.0, "wrench_kd", o.wrench_kd[i], ">= 0");
@@ -31,10 +34,22 @@ WholeBodyController::WholeBodyController(const WbcOptions& o, const Routing& rou
   require(o.min_normal_force >= 0.0, "min_normal_force_N", o.min_normal_force, ">= 0");
   require(o.torque_limit > 0.0, "torque_limit_Nm", o.torque_limit, "> 0");
   require(o.qp_rate > 0.0, "qp_rate_Hz", o.qp_rate, "> 0");
+  require(o.acceleration_horizon > 0.0, "acceleration_horizon_s", o.acceleration_horizon, "> 0");
+  for (int j = 0; j < kJoints; ++j) {
+    const JointLimits& limits = o.joint_limits;
+    if (!(limits.lower[j] <= limits.upper[j] && limits.velocity[j] > 0.0)) {
+      throw std::invalid_argument(
+          fmt::format("controller: limits of joint {}: {} to {} rad, {} rad/s; allowed: lower <= "
+                      "upper, velocity > 0",
+                      j, limits.lower[j], limits.upper[j], limits.velocity[j]));
+    }
+  }
 }
 
 void WholeBodyController::reset() noexcept {
   solution_ = WbcSolution{};
+  guess_.size = 0;
+  torque_.setZero();
   have_solution_ = false;
 }
 
@@ -51,46 +66,58 @@ WbcTick WholeBodyController::update(long k, double dt, const ModelTerms& m, cons
                                     const MotionReference& reference, const DisturbanceEstimate& estimate) noexcept {
   WbcTick tick;
   const bool solve_now = due(k, dt, stance);
+  if (stance != stance_) guess_.size = 0;
   stance_ = stance;
+  if (!solve_now && options_.torque_between_solves == WbcOptions::BetweenSolves::kHeld) {
+    tick.torque = torque_;
+    return tick;
+  }
   const PerLeg<LegPoint> points = task_points(m, stance);
-  Compensation now;
+  Compensation compensation;
   if (solve_now || estimate.has_legs) {
-    Mat12 J_j_inverse;
-    if (inverse_jacobian_joints(m, points, J_j_inverse)) {
-      if (solve_now) solve(m, reference, estimate, points, J_j_inverse, tick);
-      now = compensate(m, points, J_j_inverse, stance, estimate, routing_, false);
+    TaskJacobian J;
+    if (J.factorize(m, points)) {
+      compensation = compensate(m, points, J, stance, estimate, routing_, solve_now);
+      if (solve_now) solve(m, reference, compensation, points, J, tick);
     } else if (solve_now) {
       tick.event = QpEvent::kNotSolved;
       tick.qp_status = QpStatus::kSingular;
     }
   }
   // (36), with the compensation of the standing legs where the routing asks for it.
-  tick.torque.noalias() = m.M_q * solution_.qdd;
-  tick.torque += m.c_q - joint_torques(m, points, solution_.foot_force) - now.torque;
-  tick.torque = tick.torque.cwiseMax(-options_.torque_limit).cwiseMin(options_.torque_limit);
+  Vec12 torque = m.M_q.lazyProduct(solution_.qdd);
+  if (options_.coriolis == WbcOptions::Coriolis::kExact) torque += m.c_q;
+  torque -= joint_torques(m, points, solution_.foot_force) + compensation.torque;
+  if (torque.allFinite()) torque_ = torque.cwiseMax(-options_.torque_limit).cwiseMin(options_.torque_limit);
+  tick.torque = torque_;
   return tick;
 }
 
-void WholeBodyController::solve(const ModelTerms& m, const MotionReference& reference,
-                                const DisturbanceEstimate& estimate, const PerLeg<LegPoint>& points,
-                                const Mat12& J_j_inverse, WbcTick& tick) noexcept {
-  const Compensation c = compensate(m, points, J_j_inverse, stance_, estimate, routing_, true);
-  tick.event = QpEvent::kNotSolved;
-  if (!qp_.assemble(m, stance_, reference, c, points, J_j_inverse)) {
-    tick.qp_status = QpStatus::kInvalidInput;
-    return;
-  }
-  tick.qp_status = solver_.solve(qp_.problem(), qp_solution_);
+void WholeBodyController::solve(const ModelTerms& m, const MotionReference& reference, const Compensation& compensation,
+                                const PerLeg<LegPoint>& points, const TaskJacobian& J, WbcTick& tick) noexcept {
+  qp_.assemble(m, stance_, reference, compensation, points, J);
+  tick.qp_status = solver_->solve(qp_.problem(), guess_, qp_solution_);
   tick.qp_iterations = qp_solution_.iterations;
+  guess_.size = 0;
   if (tick.qp_status == QpStatus::kOptimal) {
     tick.event = QpEvent::kSolved;
-  } else if (solver_.solve(qp_.without_torque_rows(), qp_solution_) == QpStatus::kOptimal) {
-    tick.event = QpEvent::kTorqueRelaxed;
+    guess_ = qp_solution_.active;
   } else {
-    return;
+    tick.event = tick.qp_status == QpStatus::kInvalidInput ? QpEvent::kNotSolved : solve_with_fewer_rows();
   }
-  solution_ = qp_.recover(qp_solution_.x);
+  if (tick.event == QpEvent::kNotSolved) return;
+  solution_ = qp_.recover(qp_solution_.x, J);
   have_solution_ = true;
+}
+
+QpEvent WholeBodyController::solve_with_fewer_rows() noexcept {
+  const auto is_solved = [this](const WbcProblem& problem) {
+    return solver_->solve(problem, WbcActiveSet{}, qp_solution_) == QpStatus::kOptimal;
+  };
+  if (options_.joint_acceleration_limits && is_solved(qp_.without_acceleration_rows())) {
+    return QpEvent::kAccelerationRelaxed;
+  }
+  return is_solved(qp_.with_contact_rows_only()) ? QpEvent::kTorqueRelaxed : QpEvent::kNotSolved;
 }
 
 }  // namespace dob

@@ -1,7 +1,5 @@
 #include "robot/model_terms.h"
 
-#include <Eigen/LU>
-
 namespace dob {
 
 Mat18 ModelTerms::mass_matrix() const noexcept {
@@ -26,27 +24,6 @@ Mat12 jacobian_joints(const ModelTerms& m, const PerLeg<LegPoint>& points) noexc
     J.block<3, 3>(3 * l, 3 * l) += points[l].J_q;
   }
   return J;
-}
-
-bool inverse_jacobian_joints(const ModelTerms& m, const PerLeg<LegPoint>& points, Mat12& inverse) noexcept {
-  // J_j = D - J_com A_c with D block-diagonal: J_j^-1 = D^-1 + D^-1 J_com (I - A_c D^-1 J_com)^-1 A_c D^-1.
-  PerLeg<Mat3> D_inv;
-  Mat12x6 E;  // D^-1 J_com
-  Mat6x12 G;  // A_c D^-1
-  for (int l = 0; l < kLegs; ++l) {
-    bool invertible = false;
-    points[l].J_q.computeInverseWithCheck(D_inv[l], invertible, 1e-9);
-    if (!invertible) return false;
-    E.block<3, 3>(3 * l, 0) = D_inv[l];
-    E.block<3, 3>(3 * l, 3).noalias() = -D_inv[l] * skew(points[l].p - m.p_com);
-    G.middleCols<3>(3 * l).noalias() = m.A_c.middleCols<3>(3 * l) * D_inv[l];
-  }
-  Mat6 S = Mat6::Identity();
-  S.noalias() -= m.A_c * E;
-  const Mat6x12 S_inv_G = S.partialPivLu().solve(G);
-  inverse.noalias() = E * S_inv_G;
-  for (int l = 0; l < kLegs; ++l) inverse.block<3, 3>(3 * l, 3 * l) += D_inv[l];
-  return inverse.allFinite();
 }
 
 Mat12x6 jacobian_com(const ModelTerms& m, const PerLeg<LegPoint>& points) noexcept {

@@ -104,8 +104,4 @@ Vec6 com_wrench(const ModelTerms& m, const PerLeg<LegPoint>& points, const Vec12
 // J_j^T f of forces at points of all legs [N m], without forming J_j.
 Vec12 joint_torques(const ModelTerms& m, const PerLeg<LegPoint>& points, const Vec12& forces) noexcept;
 
-// Inverse of jacobian_joints(), 12x12 [1/m], from the legs' 3x3 blocks and one 6x6 system (Woodbury).
-// Returns false when a leg is singular (stretched knee) or the result is not finite; `inverse` is then undefined.
-bool inverse_jacobian_joints(const ModelTerms& m, const PerLeg<LegPoint>& points, Mat12& inverse) noexcept;
-
 }  // namespace dob

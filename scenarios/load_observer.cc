@@ -20,6 +20,10 @@ namespace {
 constexpr const char* kRouting = "routing";
 constexpr std::array<Choice<Routing::Swing>, 3> kSwing{
     {{"off", Routing::Swing::kOff}, {"projected", Routing::Swing::kProjected}, {"direct", Routing::Swing::kDirect}}};
+constexpr std::array<Choice<Routing::WrenchSource>, 3> kWrenchSource{
+    {{"com", Routing::WrenchSource::kCom},
+     {"stance_legs", Routing::WrenchSource::kStanceLegs},
+     {"all_legs", Routing::WrenchSource::kAllLegs}}};
 
 const ObserverInfo& find_observer(std::string_view name, const Place& place) {
   const auto observers = built_in_observers();
@@ -103,6 +107,7 @@ Routing read_routing(const Node& node, const std::string& path) {
   Reader::read(node, path, [&](Reader& r) {
     routing.wrench_17 = r.flag("wrench_17", routing.wrench_17);
     routing.dynamics_18 = r.flag("dynamics_18", routing.dynamics_18);
+    routing.wrench_source = r.choice("wrench_source", kWrenchSource, std::optional(routing.wrench_source));
     routing.torque_36 = r.flag("torque_36", routing.torque_36);
     routing.swing_31 = r.choice("swing_31", kSwing, std::optional(routing.swing_31));
   });

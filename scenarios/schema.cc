@@ -30,6 +30,13 @@ constexpr std::array<Choice<int>, kLegs + 1> kMetricLegs{{{"all", -1}, {"LF", 0}
 constexpr std::array<Choice<PlannerKind>, 3> kPlanners{
     {{"zmp", PlannerKind::kZmp}, {"spline", PlannerKind::kSpline}, {"paper_split", PlannerKind::kPaperSplit}}};
 constexpr std::array<Choice<Gait>, 3> kGaits{{{"trot", Gait::kTrot}, {"crawl", Gait::kCrawl}, {"stand", Gait::kStand}}};
+constexpr std::array<Choice<WbcOptions::OrientationError>, 2> kOrientationErrors{
+    {{"rotation_vector", WbcOptions::OrientationError::kRotationVector},
+     {"zyx", WbcOptions::OrientationError::kZyxAngles}}};
+constexpr std::array<Choice<WbcOptions::Coriolis>, 2> kCoriolis{
+    {{"exact", WbcOptions::Coriolis::kExact}, {"neglected", WbcOptions::Coriolis::kNeglected}}};
+constexpr std::array<Choice<WbcOptions::BetweenSolves>, 2> kBetweenSolves{
+    {{"recomputed", WbcOptions::BetweenSolves::kRecomputed}, {"held", WbcOptions::BetweenSolves::kHeld}}};
 
 // A path in a file is relative to that file; one on the command line to the working directory.
 std::filesystem::path absolute_path(const std::string& text, const Place& place) {
@@ -127,8 +134,20 @@ PlannerOptions read_planner(Reader& r) {
   return planner;
 }
 
-WbcOptions read_controller(Reader& r) {
+JointLimits joint_limits(const RobotDescription& robot) {
+  JointLimits limits;
+  Eigen::Index i = 0;
+  for (const JointDescription* joint : joints_of(robot)) {
+    limits.lower[i] = joint->lower;
+    limits.upper[i] = joint->upper;
+    limits.velocity[i++] = joint->velocity_limit;
+  }
+  return limits;
+}
+
+WbcOptions read_controller(Reader& r, const RobotDescription& robot) {
   WbcOptions wbc;
+  wbc.joint_limits = joint_limits(robot);
   r.table("controller", [&](Reader& t) {
     wbc.friction = t.number("friction", above(0.0, 10.0));
     wbc.min_normal_force = t.number("min_normal_force_N", between(0.0, 1e4));
@@ -137,6 +156,13 @@ WbcOptions read_controller(Reader& r) {
     wbc.regularization = t.number("regularization", kWeight);
     wbc.slack_weight = t.number("slack_weight", kWeight);
     wbc.qp_rate = t.number("qp_rate_Hz", above(0.0, 1e5));
+    wbc.orientation_error = t.choice("orientation_error", kOrientationErrors);
+    wbc.coriolis = t.choice("coriolis", kCoriolis);
+    wbc.torque_rows = t.flag("torque_rows");
+    wbc.joint_acceleration_limits = t.flag("joint_acceleration_limits");
+    wbc.acceleration_horizon = t.number("acceleration_horizon_s", above(0.0, 10.0));
+    wbc.torque_between_solves = t.choice("torque_between_solves", kBetweenSolves);
+    wbc.printed_sign_21 = t.flag("printed_sign_21");
   });
   r.table("gains", [&](Reader& t) {
     wbc.wrench_kp.head<3>() = t.vector_or_number("wrench_kp_linear_N_m", kGain);
@@ -210,7 +236,7 @@ Scenario read_scenario(const Node& document) {
     s.duration = r.number("duration_s", above(0.0, kLongest), length);
     s.gait = read_gait(r);
     s.planner = read_planner(r);
-    s.controller = read_controller(r);
+    s.controller = read_controller(r, robot);
     s.sim = read_sim(r);
     s.terrain = read_terrain(r);
     r.each("disturbance", [&](Reader& t) { read_disturbance(t, robot, s); });

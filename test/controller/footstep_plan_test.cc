@@ -85,8 +85,8 @@ TEST_F(FootstepPlanTest, AFootholdBeyondTheLegsReachIsClampedAndSaysSo) {
   const Footstep step = plan_footsteps(options, path, 10.0, gait(Gait::kTrot, 0), m, 1).steps[0];
   EXPECT_TRUE(step.clamped[0]);
   EXPECT_FALSE(step.clamped[1]);  // does not swing
-  // As seen from the hip of the body on its path, the stretched leg reaches the foothold; the wanted one, 0.6 m further,
-  // it would not.
+  // As seen from the hip of the body on its path, the stretched leg reaches the foothold; the wanted one, 0.6 m
+  // further, it would not.
   const Vec3& hip = m.link[0][1].p_WL;
   const double length = (m.link[0][2].p_WL - hip).norm() + (m.foot[0].p - m.link[0][2].p_WL).norm();
   const Vec2 from_hip = step.footholds[0] - hip.head<2>() - Vec2(0.12 * 0.265, 0.0);

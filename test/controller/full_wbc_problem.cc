@@ -1,5 +1,8 @@
 #include "test/controller/full_wbc_problem.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <Eigen/Dense>
 
 namespace dob::test {
@@ -46,6 +49,37 @@ VectorXd printed_swing_term(const MatrixXd& M, const MatrixXd& J_st, const Matri
   return J_sw * M_c.partialPivLu().solve(P * J_sw.transpose() * f_sw);
 }
 
+// The desired wrench (16) from its definition.
+Vec6 printed_wrench(const ModelTerms& m, const MotionReference& ref, const WbcOptions& o) {
+  Vec3 turn;
+  if (o.orientation_error == WbcOptions::OrientationError::kZyxAngles) {
+    const auto angles = [](const Mat3& R) {
+      return Vec3(std::atan2(R(2, 1), R(2, 2)), -std::asin(R(2, 0)), std::atan2(R(1, 0), R(0, 0)));
+    };
+    turn = angles(ref.R_WB) - angles(m.state.R_WB);  // instances keep away from +-pi
+  } else {
+    Eigen::Quaterniond q(Mat3(ref.R_WB * m.state.R_WB.transpose()));
+    if (q.w() < 0.0) q.coeffs() *= -1.0;
+    const double s = q.vec().norm();
+    turn = s > 0.0 ? Vec3(2.0 * std::atan2(s, q.w()) / s * q.vec()) : Vec3::Zero();
+  }
+  Vec6 wrench;
+  for (int i = 0; i < 3; ++i) {
+    wrench[i] = o.wrench_kp[i] * (ref.com.p[i] - m.p_com[i]) + o.wrench_kd[i] * (ref.com.v[i] - m.v_c[i]) +
+                m.mass * (ref.com.a[i] + (i == 2 ? kGravity : 0.0));
+    wrench[3 + i] = o.wrench_kp[3 + i] * turn[i] + o.wrench_kd[3 + i] * (ref.omega[i] - m.state.omega_WB[i]);
+  }
+  return wrench;
+}
+
+// Largest (sign = 1) or smallest (-1) acceleration of joint j, see controller/acceleration_limits.h.
+double acceleration_bound(const ModelTerms& m, const WbcOptions& o, int j, double rest, double sign) {
+  const double q = sign * m.state.q[j], qd = sign * m.state.qd[j], T = o.acceleration_horizon;
+  const double q_max = sign > 0.0 ? o.joint_limits.upper[j] : -o.joint_limits.lower[j];
+  const double bound = std::min((o.joint_limits.velocity[j] - qd) / T, 2.0 * (q_max - q - qd * T) / (T * T));
+  return sign * std::max(bound, sign * rest);
+}
+
 }  // namespace
 
 FullProblem full_problem(const WbcInstance& in, const WbcOptions& o, const Routing& routing) {
@@ -75,7 +109,8 @@ FullProblem full_problem(const WbcInstance& in, const WbcOptions& o, const Routi
   MatrixXd M = MatrixXd::Zero(18, 18);  // block-diagonal in CoM coordinates
   M.topLeftCorner(6, 6) = c.X_inv.transpose() * c.M.topLeftCorner<6, 6>() * c.X_inv;
   M.bottomRightCorner(12, 12) = c.M.bottomRightCorner<12, 12>() - c.A.transpose() * c.M.topRightCorner<6, 12>();
-  const VectorXd c_q = c.h.tail<12>() - c.A.transpose() * c.h.head<6>();
+  VectorXd c_q = c.h.tail<12>() - c.A.transpose() * c.h.head<6>();
+  if (o.coriolis == WbcOptions::Coriolis::kNeglected) c_q.setZero();
 
   // Tip forces f_hat from F_hat = J_j^T f_hat of all feet.
   MatrixXd J_all(12, 12);
@@ -88,8 +123,10 @@ FullProblem full_problem(const WbcInstance& in, const WbcOptions& o, const Routi
 
   // Cost (17).
   const MatrixXd W = J_st.leftCols(6).transpose();
-  const VectorXd w_hat = in.estimate.has_com ? VectorXd(in.estimate.com_wrench) : VectorXd(W * f_hat_st);
-  const VectorXd w = (routing.wrench_17 ? 1.0 : 0.0) * w_hat - VectorXd(desired_wrench(m, in.reference, o));
+  VectorXd w_hat = W * f_hat_st;
+  if (routing.wrench_source == Routing::WrenchSource::kAllLegs) w_hat += J_sw.leftCols(6).transpose() * f_hat_sw;
+  if (routing.wrench_source == Routing::WrenchSource::kCom && in.estimate.has_com) w_hat = in.estimate.com_wrench;
+  const VectorXd w = (routing.wrench_17 ? 1.0 : 0.0) * w_hat - VectorXd(printed_wrench(m, in.reference, o));
   p.H = o.regularization * MatrixXd::Identity(n, n);
   p.H.block(18, 18, nf, nf) += o.wrench_weight * W.transpose() * W;
   p.H.bottomRightCorner(ns, ns) = o.slack_weight * MatrixXd::Identity(ns, ns);
@@ -99,12 +136,14 @@ FullProblem full_problem(const WbcInstance& in, const WbcOptions& o, const Routi
   // Equality rows (18), (20).
   p.E = MatrixXd::Zero(6 + nf, n);
   p.E.topLeftCorner(6, 6) = M.topLeftCorner(6, 6);
-  p.E.block(0, 18, 6, nf) = -W;
+  p.E.block(0, 18, 6, nf) = o.printed_sign_21 ? W : MatrixXd(-W);
   p.E.block(6, 0, nf, 18) = J_st;
   p.e.resize(6 + nf);
   p.e << (routing.dynamics_18 ? 1.0 : 0.0) * w_hat - gravity_b, -bias_st;
 
-  // Inequality rows (23), (24), (33).
+  // Inequality rows (23), (24), joint accelerations, (33).
+  p.n_torque_rows = o.torque_rows ? kJoints : 0;
+  p.n_acceleration_rows = o.joint_acceleration_limits ? kJoints : 0;
   p.D = MatrixXd::Zero(p.swing_row() + 2 * ns, n);
   p.lower = VectorXd::Constant(p.D.rows(), -kInf);
   p.upper = VectorXd::Constant(p.D.rows(), kInf);
@@ -118,14 +157,30 @@ FullProblem full_problem(const WbcInstance& in, const WbcOptions& o, const Routi
     p.D(5 * i + 4, 18 + 3 * i + 2) = 1.0;
     p.lower[5 * i + 4] = o.min_normal_force;
   }
-  const int t = p.torque_row();
-  p.D.block(t, 6, 12, 12) = M.bottomRightCorner(12, 12);
-  p.D.block(t, 18, 12, nf) = -J_st.rightCols(12).transpose();
-  VectorXd sent = VectorXd::Zero(12);
-  if (routing.torque_36) sent += J_st.rightCols(12).transpose() * f_hat_st;
-  if (routing.swing_31 == Routing::Swing::kDirect) sent += J_sw.rightCols(12).transpose() * f_hat_sw;
-  p.lower.segment(t, 12) = -VectorXd::Constant(12, o.torque_limit) - c_q + sent;
-  p.upper.segment(t, 12) = VectorXd::Constant(12, o.torque_limit) - c_q + sent;
+  p.torque = MatrixXd::Zero(12, n);
+  p.torque.middleCols(6, 12) = M.bottomRightCorner(12, 12);
+  p.torque.middleCols(18, nf) = -J_st.rightCols(12).transpose();
+  if (o.torque_rows) {
+    VectorXd sent = VectorXd::Zero(12);
+    if (routing.torque_36) sent += J_st.rightCols(12).transpose() * f_hat_st;
+    if (routing.swing_31 == Routing::Swing::kDirect) sent += J_sw.rightCols(12).transpose() * f_hat_sw;
+    p.D.middleRows(p.torque_row(), 12) = p.torque;
+    p.lower.segment(p.torque_row(), 12) = -VectorXd::Constant(12, o.torque_limit) - c_q + sent;
+    p.upper.segment(p.torque_row(), 12) = VectorXd::Constant(12, o.torque_limit) - c_q + sent;
+  }
+  if (o.joint_acceleration_limits) {
+    Vec12 rest = Vec12::Zero();
+    for (int i = 0; i < p.n_stance; ++i) {
+      const int l = stance[i];
+      rest.segment<3>(3 * l) = m.contact[l].J_q.fullPivLu().solve(Vec3(-bias_st.segment(3 * i, 3)));
+    }
+    for (int j = 0; j < kJoints; ++j) {
+      const int row = p.acceleration_row() + j;
+      p.D(row, 6 + j) = 1.0;
+      p.lower[row] = acceleration_bound(m, o, j, rest[j], -1.0);
+      p.upper[row] = acceleration_bound(m, o, j, rest[j], 1.0);
+    }
+  }
   VectorXd command(ns);
   for (int i = 0; i < p.n_swing; ++i) {
     const Motion<Vec3>& ref = in.reference.foot[swing[i]];

@@ -161,7 +161,7 @@ TEST_F(PlannerTest, ZmpPlannerDiffersFromTheSplineWhereTheZmpWouldLeaveTheSuppor
   const auto [spline_margin, spline_rows] = smallest_margin(PlannerKind::kSpline);
   const auto [zmp_margin, zmp_rows] = smallest_margin(PlannerKind::kZmp);
   EXPECT_NEAR(spline_margin, 0.187 - 0.4 / kGravity * (4.0 * 0.3 / 0.15), 0.01);  // Hermite: a_0 = -4 v_0 / T
-  EXPECT_GT(zmp_margin, -0.002);  // between two samples
+  EXPECT_GT(zmp_margin, -0.002);                                                  // between two samples
   EXPECT_EQ(spline_rows, 0);
   EXPECT_GE(zmp_rows, 3);
 }

@@ -7,6 +7,9 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include "bench/trial.h"
+#include "controller/acceleration_limits.h"
+#include "scenarios/loader.h"
 #include "test/support/wbc_instances.h"
 
 namespace dob {
@@ -75,19 +78,52 @@ TEST_F(WholeBodyControllerTest, TorqueRoutingSubtractsTheStanceEstimate) {
   EXPECT_LT((difference - in.estimate.leg_torque).cwiseAbs().maxCoeff(), 1e-9);  // all feet stand
 }
 
-TEST_F(WholeBodyControllerTest, AComEstimateReplacesTheStanceForcesInTheWrench) {
-  const PerLeg<LegPoint> points = task_points(in.m, in.stance);
-  Mat12 inverse;
-  ASSERT_TRUE(inverse_jacobian_joints(in.m, points, inverse));
-  in.estimate.has_legs = true;
-  in.estimate.leg_torque = Vec12::LinSpaced(-3.0, 4.0);
-  const Vec12 tip_force = inverse.transpose() * in.estimate.leg_torque;
-  const Compensation legs = compensate(in.m, points, inverse, in.stance, in.estimate, Routing{}, true);
-  EXPECT_LT((legs.wrench - com_wrench(in.m, points, tip_force)).norm(), 1e-9);
-  EXPECT_TRUE(legs.dynamics.isZero(0.0));
+// What a compensation path of the routing sees of the estimate.
+class RoutingTest : public WholeBodyControllerTest {
+ protected:
+  void SetUp() override {
+    in.stance = {false, true, true, false};
+    in.estimate.has_legs = true;
+    in.estimate.leg_torque = Vec12::LinSpaced(-3.0, 4.0);
+    in.estimate.com_wrench << 1, 2, 3, 4, 5, 6;
+    points = task_points(in.m, in.stance);
+    ASSERT_TRUE(J.factorize(in.m, points));
+    tip_force = jacobian_joints(in.m, points).transpose().fullPivLu().solve(in.estimate.leg_torque);
+    stance_force = tip_force;
+    for (const int l : {0, 3}) stance_force.segment<3>(3 * l).setZero();
+  }
+  Compensation compensated(const Routing& routing) const {
+    return compensate(in.m, points, J, in.stance, in.estimate, routing, true);
+  }
+
+  PerLeg<LegPoint> points;
+  TaskJacobian J;
+  Vec12 tip_force, stance_force;
+};
+
+TEST_F(RoutingTest, AComEstimateReplacesTheStanceForcesInTheWrench) {
+  EXPECT_LT((compensated({}).wrench - com_wrench(in.m, points, stance_force)).norm(), 1e-9);
   in.estimate.has_com = true;
-  in.estimate.com_wrench << 1, 2, 3, 4, 5, 6;
-  EXPECT_EQ(compensate(in.m, points, inverse, in.stance, in.estimate, Routing{}, true).wrench, in.estimate.com_wrench);
+  EXPECT_EQ(compensated({}).wrench, in.estimate.com_wrench);
+}
+
+TEST_F(RoutingTest, FromTheStanceLegsIgnoresAComEstimate) {
+  in.estimate.has_com = true;
+  const Routing routing{.wrench_source = Routing::WrenchSource::kStanceLegs};
+  EXPECT_LT((compensated(routing).wrench - com_wrench(in.m, points, stance_force)).norm(), 1e-9);
+}
+
+TEST_F(RoutingTest, FromAllLegsCountsTheSwingingOnes) {
+  in.estimate.has_com = true;
+  const Routing routing{.wrench_source = Routing::WrenchSource::kAllLegs};
+  EXPECT_LT((compensated(routing).wrench - com_wrench(in.m, points, tip_force)).norm(), 1e-9);
+}
+
+TEST_F(RoutingTest, SendsTheSameWrenchToTheCostAndToTheDynamics) {
+  EXPECT_TRUE(compensated({}).dynamics.isZero(0.0));
+  const Routing both{.wrench_17 = true, .dynamics_18 = true};
+  EXPECT_EQ(compensated(both).dynamics, compensated(both).wrench);
+  EXPECT_TRUE(compensated({.wrench_17 = false, .dynamics_18 = true}).wrench.isZero(0.0));
 }
 
 // (31) by what it means: accelerations of the constrained robot with and without the force, from the KKT system of the
@@ -95,8 +131,10 @@ TEST_F(WholeBodyControllerTest, AComEstimateReplacesTheStanceForcesInTheWrench) 
 TEST_F(WholeBodyControllerTest, SwingResponseIsTheConstrainedAccelerationOfTheForce) {
   in.stance = {false, true, true, false};
   const PerLeg<LegPoint> points = task_points(in.m, in.stance);
+  TaskJacobian factored;
+  ASSERT_TRUE(factored.factorize(in.m, points));
   const Vec12 force = Vec12::LinSpaced(-20.0, 30.0);
-  const Vec12 response = swing_response(in.m, points, in.stance, force);
+  const Vec12 response = swing_response(in.m, points, factored, in.stance, force);
   Mat3x18 J;
   const auto jacobian = [&](int l) {
     J.setZero();
@@ -120,9 +158,151 @@ TEST_F(WholeBodyControllerTest, SwingResponseIsTheConstrainedAccelerationOfTheFo
   for (const int l : {1, 2}) EXPECT_TRUE(response.segment<3>(3 * l).isZero(0.0));
 }
 
+// (16) as printed: a difference of angles, each taken the short way round.
+TEST_F(WholeBodyControllerTest, ZyxAnglesAreSubtractedOneByOne) {
+  const auto rotation = [](double roll, double pitch, double yaw) {
+    return Mat3(Eigen::AngleAxisd(yaw, Vec3::UnitZ()) * Eigen::AngleAxisd(pitch, Vec3::UnitY()) *
+                Eigen::AngleAxisd(roll, Vec3::UnitX()));
+  };
+  WbcOptions printed;
+  printed.orientation_error = WbcOptions::OrientationError::kZyxAngles;
+  printed.wrench_kd.setZero();
+  WbcOptions vector = printed;
+  vector.orientation_error = WbcOptions::OrientationError::kRotationVector;
+  in.m.state.R_WB = rotation(0.1, -0.2, 3.0);
+  in.reference.R_WB = rotation(0.3, 0.1, -3.0);
+  const Vec3 error = desired_wrench(in.m, in.reference, printed).tail<3>() / 250.0;
+  EXPECT_LT((error - Vec3(0.2, 0.3, 2.0 * std::acos(-1.0) - 6.0)).norm(), 1e-12);
+  EXPECT_GT((error - desired_wrench(in.m, in.reference, vector).tail<3>() / 250.0).norm(), 0.05);
+  // About one axis alone the two are the same.
+  in.m.state.R_WB = rotation(0.0, 0.0, 0.5);
+  in.reference.R_WB = rotation(0.0, 0.0, 0.9);
+  EXPECT_LT((desired_wrench(in.m, in.reference, printed) - desired_wrench(in.m, in.reference, vector)).norm(), 1e-10);
+}
+
+TEST_F(WholeBodyControllerTest, NeglectedCoriolisTermsAreMissingFromTheTorque) {
+  in.m.c_q = Vec12::LinSpaced(-1.0, 1.0);
+  WbcOptions neglected;
+  neglected.coriolis = WbcOptions::Coriolis::kNeglected;
+  WholeBodyController a(WbcOptions{}, Routing{}), b(neglected, Routing{});
+  const Vec12 difference = a.update(0, 1e-3, in.m, in.stance, in.reference, in.estimate).torque -
+                           b.update(0, 1e-3, in.m, in.stance, in.reference, in.estimate).torque;
+  EXPECT_LT((difference - in.m.c_q).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST_F(WholeBodyControllerTest, HeldTorqueChangesAtSolvesOnly) {
+  WbcOptions held;
+  held.torque_between_solves = WbcOptions::BetweenSolves::kHeld;
+  WholeBodyController a(WbcOptions{}, Routing{}), b(held, Routing{});
+  const auto torque = [&](WholeBodyController& c, long k) {
+    return c.update(k, 1e-3, in.m, in.stance, in.reference, in.estimate).torque;
+  };
+  const Vec12 first = torque(a, 0);
+  EXPECT_EQ(torque(b, 0), first);
+  in.m.c_q.array() += 0.5;
+  EXPECT_LT((torque(a, 1) - first - Vec12::Constant(0.5)).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_EQ(torque(b, 1), first);
+  EXPECT_EQ(torque(b, 2), first);
+  EXPECT_NE(torque(b, 3), first);
+}
+
+TEST_F(WholeBodyControllerTest, WithoutTorqueRowsTheTorqueSaturatesUnseen) {
+  WbcOptions options;
+  options.torque_limit = 2.0;
+  options.min_normal_force = 100.0;  // infeasible with the rows, see above
+  options.torque_rows = false;
+  WholeBodyController controller(options, Routing{});
+  const WbcTick tick = controller.update(0, 1e-3, in.m, in.stance, in.reference, in.estimate);
+  EXPECT_EQ(tick.event, QpEvent::kSolved);
+  EXPECT_DOUBLE_EQ(tick.torque.cwiseAbs().maxCoeff(), 2.0);
+}
+
+TEST_F(WholeBodyControllerTest, AJointBeyondItsLimitDoesNotAccelerateFurther) {
+  in.stance = {false, true, true, false};
+  for (const int l : {0, 3}) in.reference.foot[l] = {in.m.foot[l].p, Vec3::Zero(), Vec3(40.0, 30.0, 60.0)};
+  WbcOptions options;
+  options.torque_rows = false;
+  WholeBodyController free(options, Routing{});
+  free.update(0, 1e-3, in.m, in.stance, in.reference, in.estimate);
+  const Vec12 wanted = free.solution().qdd;
+  // Both swinging legs are beyond a limit on the side that they want to go to.
+  options.joint_acceleration_limits = true;
+  for (int j = 0; j < kJoints; ++j) {
+    if (in.stance[j / 3]) continue;
+    ASSERT_GT(std::abs(wanted[j]), 1.0) << "joint " << j;
+    (wanted[j] > 0.0 ? options.joint_limits.upper : options.joint_limits.lower)[j] =
+        in.m.state.q[j] + (wanted[j] > 0.0 ? -0.01 : 0.01);
+  }
+  WholeBodyController limited(options, Routing{});
+  const WbcTick tick = limited.update(0, 1e-3, in.m, in.stance, in.reference, in.estimate);
+  EXPECT_EQ(tick.event, QpEvent::kSolved);
+  for (int j = 0; j < kJoints; ++j) {
+    if (in.stance[j / 3]) continue;
+    EXPECT_LE(limited.solution().qdd[j] * (wanted[j] > 0.0 ? 1.0 : -1.0), 1e-6) << "joint " << j;
+  }
+}
+
+// The feet are to push harder than the weight, so that the trunk rises and some joint goes further beyond its limit.
+TEST_F(WholeBodyControllerTest, AccelerationRowsAreTheFirstToGo) {
+  WbcOptions options;
+  options.joint_acceleration_limits = true;
+  options.joint_limits.lower = in.m.state.q.array() + 0.1;
+  options.joint_limits.upper = in.m.state.q.array() + 0.2;
+  options.min_normal_force = 70.0;
+  const auto event = [&] {
+    WholeBodyController controller(options, Routing{});
+    return controller.update(0, 1e-3, in.m, in.stance, in.reference, in.estimate);
+  };
+  const WbcTick tick = event();
+  EXPECT_EQ(tick.event, QpEvent::kAccelerationRelaxed);
+  EXPECT_EQ(tick.qp_status, QpStatus::kInfeasible);
+  options.torque_limit = 2.0;
+  EXPECT_EQ(event().event, QpEvent::kTorqueRelaxed);
+}
+
+// Whatever the joints' positions and rates are, no bound demands a motion.
+TEST_F(WholeBodyControllerTest, AccelerationLimitsContainRest) {
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  WbcOptions options;
+  options.joint_limits = {.lower = Vec12::Constant(-0.5), .upper = Vec12::Constant(0.5), .velocity = Vec12::Ones()};
+  for (int draw = 0; draw < 1000; ++draw) {
+    RobotState state;
+    Vec12 rest;
+    for (int j = 0; j < kJoints; ++j) {
+      state.q[j] = uniform(random);
+      state.qd[j] = 3.0 * uniform(random);
+      rest[j] = 100.0 * uniform(random);
+    }
+    const AccelerationLimits limits = acceleration_limits(state, rest, options);
+    ASSERT_LE((limits.lower - rest).maxCoeff(), 0.0);
+    ASSERT_GE((limits.upper - rest).minCoeff(), 0.0);
+  }
+  // At rest, half a radian from the limit: 2 * 0.5 / T^2 for the position, 1 / T for the velocity.
+  const AccelerationLimits middle = acceleration_limits(RobotState{}, Vec12::Zero(), options);
+  EXPECT_DOUBLE_EQ(middle.upper[0], 1.0 / 0.025);
+  options.joint_limits.velocity.setConstant(1e3);
+  EXPECT_DOUBLE_EQ(acceleration_limits(RobotState{}, Vec12::Zero(), options).lower[0], -1.0 / (0.025 * 0.025));
+}
+
+// Errata: with the printed sign of (21) the predicted CoM falls when the ground pushes.
+TEST(PrintedSignOfEquation21, MakesTheRobotCollapse) {
+  Scenario scenario = load_scenarios({.name = "undisturbed", .gains = "", .planner = "", .overrides = {}}).front();
+  scenario.duration = 1.0;
+  const ObserverConfig none = load_observer("none", "paper");
+  EXPECT_EQ(Trial(scenario, none, 1).run().outcome, Outcome::kSurvived);
+  scenario.controller.printed_sign_21 = true;
+  EXPECT_EQ(Trial(scenario, none, 1).run().outcome, Outcome::kFell);
+}
+
 TEST_F(WholeBodyControllerTest, RefusesOptionsByName) {
   WbcOptions options;
   options.friction = 0.0;
+  EXPECT_THROW(WholeBodyController(options, Routing{}), std::invalid_argument);
+  options = {};
+  options.acceleration_horizon = 0.0;
+  EXPECT_THROW(WholeBodyController(options, Routing{}), std::invalid_argument);
+  options = {};
+  options.joint_limits.velocity[7] = 0.0;
   EXPECT_THROW(WholeBodyController(options, Routing{}), std::invalid_argument);
 }
 

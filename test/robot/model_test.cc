@@ -183,26 +183,6 @@ TEST_F(ModelTest, CompositeInertiaRateAgreesWithFiniteDifferences) {
   }
 }
 
-TEST_F(ModelTest, InverseOfTheFootJacobianInvertsIt) {
-  for (int i = 0; i < 200; ++i) {
-    model.compute(sample(), t);
-    Mat12 inverse;
-    ASSERT_TRUE(inverse_jacobian_joints(t, t.foot, inverse));
-    const Mat12 product = inverse * jacobian_joints(t, t.foot);
-    ASSERT_LT((product - Mat12::Identity()).cwiseAbs().maxCoeff(), 1e-13 * inverse.norm() + 1e-11);
-  }
-}
-
-TEST_F(ModelTest, StretchedKneeIsReportedAsSingular) {
-  RobotState state;
-  state.q.setZero();
-  model.compute(state, t);
-  PerLeg<LegPoint> points = t.foot;
-  points[2].J_q.col(2) = points[2].J_q.col(1);
-  Mat12 inverse;
-  EXPECT_FALSE(inverse_jacobian_joints(t, points, inverse));
-}
-
 // (3) along motions with random joint torques and contact forces: d/dt(M_q qd) by a central difference of rho
 // along the accelerated motion equals CqT_qd + tau + J_j^T f.
 TEST_F(ModelTest, LegMomentumRateObeysEquation3) {

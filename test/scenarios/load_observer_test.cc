@@ -55,6 +55,7 @@ TEST(Profiles, OfThePaperHasItsGainsInTheStableOrderAndItsRouting) {
   EXPECT_FALSE(config.routing.dynamics_18);
   EXPECT_TRUE(config.routing.torque_36);
   EXPECT_EQ(config.routing.swing_31, Routing::Swing::kProjected);
+  EXPECT_EQ(config.routing.wrench_source, Routing::WrenchSource::kStanceLegs);
 }
 
 TEST(Profiles, MatchedHasTwentyTimesTheBandwidth) {
@@ -102,7 +103,9 @@ TEST(Profiles, SayNothingAboutNoObserver) {
 
 TEST(LoadObserver, LaysTheSpecificationOverTheProfile) {
   const ObserverConfig config = load_observer(
-      "momentum:gains=1.0;2.5,coriolis=neglected,routing.torque_36=false,routing.swing_31=direct", "matched");
+      "momentum:gains=1.0;2.5,coriolis=neglected,routing.torque_36=false,routing.swing_31=direct,"
+      "routing.wrench_source=all_legs",
+      "matched");
   const MomentumOptions options = read_momentum_options(config.options);
   EXPECT_THAT(options.gains.K, ElementsAre(1.0, 2.5));
   EXPECT_EQ(options.gain_scale, 20.0);  // still the profile's
@@ -110,6 +113,7 @@ TEST(LoadObserver, LaysTheSpecificationOverTheProfile) {
   EXPECT_FALSE(config.routing.torque_36);
   EXPECT_TRUE(config.routing.wrench_17);
   EXPECT_EQ(config.routing.swing_31, Routing::Swing::kDirect);
+  EXPECT_EQ(config.routing.wrench_source, Routing::WrenchSource::kAllLegs);
 }
 
 TEST(LoadObserver, LaysOptionsOfThePartsOfAPairOverTheProfile) {
@@ -162,6 +166,8 @@ TEST(LoadObserver, RefusesRoutingThatDoesNotExist) {
               HasSubstr("momentum.routing.torque_36: 1; allowed: true or false"));
   EXPECT_THAT(error_of("momentum:routing.swing_31=some"),
               HasSubstr("\"some\"; allowed: one of off, projected, direct"));
+  EXPECT_THAT(error_of("momentum:routing.wrench_source=legs"),
+              HasSubstr("\"legs\"; allowed: one of com, stance_legs, all_legs"));
   EXPECT_THAT(error_of("none:routing.torque_36=true"),
               HasSubstr("none.routing: this observer estimates nothing that could be routed"));
 }

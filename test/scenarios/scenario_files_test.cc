@@ -109,6 +109,13 @@ TEST(Defaults, OfTheTrialAreThoseOfTheOptionStructs) {
   EXPECT_EQ(s.controller.regularization, d.controller.regularization);
   EXPECT_EQ(s.controller.slack_weight, d.controller.slack_weight);
   EXPECT_EQ(s.controller.qp_rate, d.controller.qp_rate);
+  EXPECT_EQ(s.controller.orientation_error, d.controller.orientation_error);
+  EXPECT_EQ(s.controller.coriolis, d.controller.coriolis);
+  EXPECT_EQ(s.controller.torque_rows, d.controller.torque_rows);
+  EXPECT_EQ(s.controller.joint_acceleration_limits, d.controller.joint_acceleration_limits);
+  EXPECT_EQ(s.controller.acceleration_horizon, d.controller.acceleration_horizon);
+  EXPECT_EQ(s.controller.torque_between_solves, d.controller.torque_between_solves);
+  EXPECT_EQ(s.controller.printed_sign_21, d.controller.printed_sign_21);
   EXPECT_EQ(s.terrain.ground_friction, d.terrain.ground_friction);
   EXPECT_TRUE(s.terrain.boxes.empty());
   EXPECT_EQ(s.noise.torque_relative, d.noise.torque_relative);
@@ -119,6 +126,14 @@ TEST(Defaults, OfTheTrialAreThoseOfTheOptionStructs) {
   EXPECT_EQ(s.seed_variation.position, d.seed_variation.position);
   EXPECT_EQ(s.seed_variation.velocity, d.seed_variation.velocity);
   EXPECT_EQ(s.seed_variation.disturbance_onset, d.seed_variation.disturbance_onset);
+}
+
+TEST(Controller, KnowsTheDescriptionsJointLimits) {
+  const JointLimits limits = load_one({.name = "undisturbed"}).controller.joint_limits;
+  EXPECT_EQ(limits.velocity, Vec12::Constant(6.0));
+  EXPECT_EQ(limits.upper[0], 1.7453);  // roll of LF, the description's back_right
+  EXPECT_EQ(limits.lower.segment<2>(1), Vec2(-3.1416, -0.02));
+  EXPECT_EQ(limits.upper.segment<2>(1), Vec2(1.5708, 2.618));
 }
 
 TEST(Defaults, StandDogBotAsThePublishedCodeDoes) {

@@ -20,8 +20,8 @@ Scenario case1_tip() {
 
 }  // namespace
 
-std::vector<WbcInstance> recorded_instances(double duration, std::mt19937_64& random) {
-  Scenario scenario = case1_tip();
+std::vector<WbcInstance> recorded_instances(double duration, const std::string& scenario_name) {
+  const Scenario scenario = load_scenarios({.name = scenario_name}).front();
   Trial trial(scenario, load_observer("momentum", "matched"), 1);
   std::vector<WbcInstance> instances;
   while (trial.time() < duration) {
@@ -32,17 +32,24 @@ std::vector<WbcInstance> recorded_instances(double duration, std::mt19937_64& ra
     instance.stance = trial.controller().stance();
     instance.reference = trial.controller().reference();
     instance.estimate.has_legs = true;
-    instance.estimate.leg_torque = uniform_vector(random, 15.0);
+    instance.estimate.leg_torque = trial.record().leg_torque_estimate;
     instances.push_back(instance);
   }
+  return instances;
+}
+
+std::vector<WbcInstance> recorded_instances(double duration, std::mt19937_64& random) {
+  std::vector<WbcInstance> instances = recorded_instances(duration);
+  for (WbcInstance& instance : instances) instance.estimate.leg_torque = uniform_vector(random, 15.0);
   return instances;
 }
 
 std::vector<WbcInstance> random_instances(int count, std::mt19937_64& random) {
   const Scenario scenario = case1_tip();
   const Model model(load_robot(scenario.robot.urdf, scenario.robot.forward));
-  const RobotState standing = standing_pose(model, scenario.planner.com_height, scenario.planner.footsteps.foot_offset_x,
-                                            scenario.planner.footsteps.foot_offset_y, scenario.robot.posture);
+  const RobotState standing =
+      standing_pose(model, scenario.planner.com_height, scenario.planner.footsteps.foot_offset_x,
+                    scenario.planner.footsteps.foot_offset_y, scenario.robot.posture);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   const auto vec3 = [&](double scale) { return Vec3(scale * Vec3(uniform(random), uniform(random), uniform(random))); };
   std::vector<WbcInstance> instances;

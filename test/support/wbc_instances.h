@@ -2,6 +2,7 @@
 #pragma once
 
 #include <random>
+#include <string>
 #include <vector>
 
 #include "controller/compensation.h"
@@ -17,8 +18,11 @@ struct WbcInstance {
   DisturbanceEstimate estimate;
 };
 
-// Every tick at which a trot of DogBot under case 1's force (20 N sine on the foot tip) solved its QP, for `duration`
-// [s] of simulated time, with the estimate replaced by a random one of up to 15 N m per joint.
+// Every tick at which DogBot solved its QP in a scenario, for `duration` [s] of simulated time, with the observer's
+// estimate. By default a trot under case 1's force (20 N sine on the foot tip).
+std::vector<WbcInstance> recorded_instances(double duration, const std::string& scenario = "case1/tip_lateral");
+
+// The same with every estimate replaced by a random one of up to 15 N m per joint.
 std::vector<WbcInstance> recorded_instances(double duration, std::mt19937_64& random);
 
 // Random states near the standing pose, random references, estimates and stance sets (any number of feet).
