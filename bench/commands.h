@@ -19,5 +19,6 @@ using Command = std::function<int()>;
 Command add_list_command(CLI::App& app);
 Command add_run_command(CLI::App& app, const std::string& command_line);
 Command add_table_command(CLI::App& app);
+Command add_tune_command(CLI::App& app, const std::string& command_line);
 
 }  // namespace dob

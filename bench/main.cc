@@ -27,6 +27,7 @@ int run(int argc, char** argv) {
       {"list", dob::add_list_command(app)},
       {"run", dob::add_run_command(app, command_line(argc, argv))},
       {"table", dob::add_table_command(app)},
+      {"tune", dob::add_tune_command(app, command_line(argc, argv))},
   };
   try {
     app.parse(argc, argv);

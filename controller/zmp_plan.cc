@@ -207,7 +207,11 @@ ZmpOptimizer::ZmpOptimizer(ZmpOptimizer&&) noexcept = default;
 ZmpOptimizer& ZmpOptimizer::operator=(ZmpOptimizer&&) noexcept = default;
 
 ZmpReport ZmpOptimizer::solve(const ZmpTask& task, const ComTrajectory& path, ComTrajectory& motion) noexcept {
-  return std::visit([&](auto& program) { return program.solve(task, path, motion); }, program_->of_horizon);
+  // (std::visit would be allowed to throw.)
+  auto& any = program_->of_horizon;
+  if (auto* program = std::get_if<HorizonProgram<1>>(&any)) return program->solve(task, path, motion);
+  if (auto* program = std::get_if<HorizonProgram<2>>(&any)) return program->solve(task, path, motion);
+  return std::get_if<HorizonProgram<3>>(&any)->solve(task, path, motion);
 }
 
 }  // namespace dob

@@ -34,6 +34,9 @@ std::filesystem::path defaults_file() {
 std::filesystem::path gains_file() {
   return data_directory() / "config" / "gains.toml";
 }
+std::filesystem::path tuning_file() {
+  return data_directory() / "config" / "tuning.toml";
+}
 std::filesystem::path profile_file(const std::string& name) {
   return profile_directory() / (name + ".toml");
 }

@@ -12,6 +12,7 @@ std::filesystem::path data_directory();
 
 std::filesystem::path defaults_file();  // config/defaults.toml
 std::filesystem::path gains_file();     // config/gains.toml
+std::filesystem::path tuning_file();    // config/tuning.toml
 std::filesystem::path profile_file(const std::string& name);
 std::filesystem::path scenario_file(const std::string& name);
 

@@ -50,4 +50,7 @@ std::string resolved_toml(const ScenarioRequest& request, std::string_view varia
 // for a tick of dt [s], so that what it refuses (unknown options, unstable gains) is refused here.
 ObserverConfig load_observer(std::string_view specification, const std::string& profile, double dt = SimOptions{}.dt);
 
+// A profile as text: a table per observer with its options and its routing, which load_observer() reads back.
+std::string profile_toml(const std::vector<ObserverConfig>& observers);
+
 }  // namespace dob
