@@ -1,22 +1,26 @@
 #!/bin/sh
-# Every option of the whole-body controller, switched alone: case 1 (knee, tip) and random pushes of 10 to 35 N, seeds 1
-# to 4, gain sets paper and stiff. Prints the rows of docs/controller-ablation.md.   usage: bench/ablation.sh [DIR]
+# Every option of the whole-body controller, switched alone: case 1 (knee, tip, seed 1) and random pushes of 10 to 35 N
+# (seeds 1 to 4), gain sets paper and stiff. Prints the rows of docs/controller-ablation.md.   usage: bench/ablation.sh [DIR]
 set -eu
 bin=${DOBBENCH:-build/bin/dobbench}
 out=${1:-build/ablation}
-rm -rf "$out"
+[ ! -e "$out" ] || { echo "ablation: $out exists; name a new directory" >&2; exit 2; }
 mkdir -p "$out"
 
 # run NAME OBSERVER [dobbench options]: one run directory, one table row per gain set.
 run() {
   name=$1 specification=$2
   shift 2
-  "$bin" run case1/knee_lateral case1/tip_lateral random_push --observer "$specification" --profile matched \
-    --gains paper --gains stiff --seeds 4 --out "$out/$name" "$@" >/dev/null
+  for set in "case1/knee_lateral case1/tip_lateral:1" "random_push:4"; do
+    # shellcheck disable=SC2086  # a list of scenarios
+    "$bin" run ${set%:*} --observer "$specification" --profile matched --gains paper --gains stiff --seeds "${set#*:}" \
+      --out "$out/$name/${set#*:}" "$@" >/dev/null
+  done
   for gains in paper stiff; do
-    "$bin" table "$out/$name" --format json | jq -r --arg name "$name" --arg gains "$gains" '
+    { "$bin" table "$out/$name/1" --format json; "$bin" table "$out/$name/4" --format json; } |
+      jq -rs --arg name "$name" --arg gains "$gains" 'add |
       def mm: if . == null then "-" else . * 1e4 | round / 10 | tostring end;
-      def cell: if .falls > 0 then "F \(.falls)/\(.runs) at \(.fall_time_median_s * 10 | round / 10) s"
+      def cell: if .errors > 0 then "error: \(.error_reason)" elif .falls > 0 then "F \(.falls)/\(.runs) at \(.fall_time_median_s * 10 | round / 10) s"
                 else "\(.com_error_max_m_worst | mm) / \(.foot_error_max_m_worst | mm) / \(.grf_error_mean_N * 100 | round / 100)" end;
       [.[] | select(.gains == $gains)] | "| \($name) | \($gains) | " + (map(cell) | join(" | ")) + " |"'
   done

@@ -1,5 +1,7 @@
 #include "bench/build_info.h"
 
+#include <commit.h>  // made by the build
+
 namespace dob {
 
 BuildInfo build_info() {

@@ -54,7 +54,7 @@ const TickRecord& Recorder::record(double t, const ModelTerms& m, const Locomoti
   r.t = t;
   r.com = m.p_com;
   r.com_reference = reference.com.p;
-  r.path_position = controller.path().at(t).p;
+  r.path_position = reference.path;
   r.orientation_error = Eigen::AngleAxisd(Mat3(reference.R_WB * m.state.R_WB.transpose())).angle();
   r.stance = controller.stance();
   r.lift_off = gait.lift_off;
@@ -96,6 +96,11 @@ void Recorder::record_balance(const ModelTerms& m, const LocomotionController& c
     moment += r.foot_force[3 * l + 2] * feet[l];
     normal += r.foot_force[3 * l + 2];
   }
+  const ZmpReport& report = controller.planner().zmp_report();
+  r.zmp_planned = controller.planner().zmp_planned();
+  r.zmp_status = report.status;
+  r.zmp_active_rows = report.active_rows;
+  r.zmp_slack = report.slack;
   r.zmp_reference = zero_moment_point(controller.reference().com);
   r.zmp_margin =
       support_polygon(r.stance, feet, controller.planner().options().zmp.line_half_width).margin(r.zmp_reference);

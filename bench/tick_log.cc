@@ -23,7 +23,9 @@ std::string header() {
   std::string line = "t_s";
   append_names(line, "com", "m");
   append_names(line, "com_reference", "m");
-  line += ",path_x_m,path_y_m,orientation_error_rad,zmp_reference_x_m,zmp_reference_y_m,zmp_margin_m,cop_x_m,cop_y_m";
+  line +=
+      ",path_x_m,path_y_m,orientation_error_rad,zmp_reference_x_m,zmp_reference_y_m,zmp_margin_m,cop_x_m,cop_y_m,zmp_"
+      "planned,zmp_status,zmp_active_rows,zmp_slack_m";
   for (const std::string_view leg : kLegNames) {
     fmt::format_to(std::back_inserter(line), ",{}_stance", leg);
     append_names(line, fmt::format("{}_foot", leg), "m");
@@ -60,6 +62,8 @@ void TickLog::add(const TickRecord& r) {
   append(line_, r.zmp_reference);
   fmt::format_to(std::back_inserter(line_), ",{}", r.zmp_margin);
   append(line_, r.center_of_pressure);
+  fmt::format_to(std::back_inserter(line_), ",{},{},{},{}", r.zmp_planned ? 1 : 0, to_string(r.zmp_status),
+                 r.zmp_active_rows, r.zmp_slack);
   for (int l = 0; l < kLegs; ++l) {
     fmt::format_to(std::back_inserter(line_), ",{}", r.stance[l] ? 1 : 0);
     append(line_, r.foot[l]);

@@ -34,6 +34,7 @@ class Trial {
   const TickRecord& record() const noexcept { return record_; }
   std::span<const AppliedForce> forces() const noexcept { return forces_; }  // over the last step
   const LocomotionController& controller() const noexcept { return controller_; }
+  const Estimate& estimate() const noexcept { return estimate_; }  // for the next tick
   const ModelTerms& model_terms() const noexcept { return *now_; }
 
  private:

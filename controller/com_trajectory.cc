@@ -1,5 +1,8 @@
 #include "controller/com_trajectory.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace dob {
 
 void ComTrajectory::start(const Vec2& p, const Vec2& v) noexcept {
@@ -25,6 +28,20 @@ void ComTrajectory::append_cubic(double duration, const Vec2& p_end, const Vec2&
 
 void ComTrajectory::append_constant_velocity(double duration) noexcept {
   append_jerk(duration, Vec2::Zero(), Vec2::Zero());
+}
+
+// The acceleration of a cubic is linear, so its ends decide: 6 d / T^2 - 4 v / T and -6 d / T^2 + 2 v / T.
+HeightTrajectory HeightTrajectory::plan(double z, double v, double target, double shortest) noexcept {
+  constexpr int kMaxSteps = 60;  // 1.1^60 > 300: whatever is finite fits long before
+  HeightTrajectory h{z, v, target, shortest};
+  for (int i = 0; i < kMaxSteps; ++i) {
+    const double T = h.duration;
+    const double d = 6.0 * (target - z) / (T * T);
+    const double largest = std::max(std::abs(d - 4.0 * v / T), std::abs(2.0 * v / T - d));
+    if (largest <= kMaxAcceleration) break;
+    h.duration *= 1.1;
+  }
+  return h;
 }
 
 Motion<Vec2> ComTrajectory::on_piece(const Piece& piece, double t) noexcept {

@@ -46,6 +46,11 @@ struct HeightTrajectory {
   double target = 0.0;      // [m]
   double duration = 1.0;    // [s] > 0
 
+  // The quickest cubic of at least `shortest` [s] whose acceleration stays within +-kMaxAcceleration: a CoM thrown up
+  // or down shall not be asked to fall freely (then it has no ZMP), nor the legs to carry half as much again.
+  static constexpr double kMaxAcceleration = 3.0;  // [m/s^2]
+  static HeightTrajectory plan(double z, double v, double target, double shortest) noexcept;
+
   Motion<double> at(double t) const noexcept { return cubic_at(t, duration, z, v, target, 0.0); }
 };
 

@@ -16,14 +16,6 @@ Vec2 nominal_offset(const FootstepOptions& o, int leg) noexcept {
   return {front ? o.foot_offset_x : -o.foot_offset_x, left ? o.foot_offset_y : -o.foot_offset_y};
 }
 
-// How many footsteps after `step` the leg swings next.
-int footsteps_until_swing(Gait gait, int step, int leg) noexcept {
-  const int cycle = footsteps_per_cycle(gait);
-  int k = 0;
-  while (k < cycle && !swing_legs(gait, step + k)[leg]) ++k;
-  return k;
-}
-
 // Largest horizontal distance of a foothold from below the hip [m]: what the leg reaches at the hip's present height,
 // less what the body moves ahead of the foot until it lifts off again.
 double reach(const FootstepOptions& o, const ModelTerms& m, int leg, double travel) noexcept {
@@ -38,46 +30,46 @@ double reach(const FootstepOptions& o, const ModelTerms& m, int leg, double trav
 
 class Planner {
  public:
-  Planner(const FootstepOptions& o, const ReferencePath& path, double t, const GaitState& gait,
+  Planner(const FootstepOptions& o, const ReferencePath& path, double ramp, const GaitPattern& pattern,
           const ModelTerms& m) noexcept
-      : o_(o), path_(path), pattern_(gait.pattern), m_(m), ramp_(t < o.start_ramp ? t / o.start_ramp : 1.0) {}
+      : o_(o), path_(path), ramp_(ramp), pattern_(pattern), m_(m) {}
 
   // The footstep number `step` of the gait that begins at t with the feet at `feet`.
-  Footstep plan(int step, double t, double to_lift_off, const PerLeg<Vec2>& feet, bool first) const noexcept {
+  Footstep plan(int step, double t, double to_lift_off, const PerLeg<Vec2>& feet, const PerLeg<double>& support_mid,
+                bool first) const noexcept {
     Footstep s;
     s.swings = swing_legs(pattern_.gait, step);
     s.to_lift_off = to_lift_off;
     s.swing_duration = pattern_.swing_duration;
     s.feet = feet;
     s.footholds = feet;
-    const double lift_off = t + to_lift_off;
-    const double mid = lift_off + 0.5 * pattern_.swing_duration;
+    s.support_mid = support_mid;
+    const double mid = t + to_lift_off + 0.5 * pattern_.swing_duration;
+    const double next_mid = mid + 0.5 * (pattern_.swing_duration + pattern_.support_duration());
     const PathPoint at_mid = path_.at(mid);
+    const PathPoint at_next_mid = path_.at(next_mid);
     s.velocity = ramp_ * at_mid.v;
-    s.body = body(step, lift_off, at_mid, feet, s.swings);
-    Vec2 shift = Vec2::Zero();
-    if (first) shift = feedback(at_mid, s.body, s.velocity);
+    s.body = body(at_mid, s);
+    const Vec2 shift = first ? feedback(at_mid, s.body, s.velocity) : Vec2(Vec2::Zero());
+    const Vec2 center = s.body + ramp_ * (at_next_mid.p - at_mid.p);
     for (int l = 0; l < kLegs; ++l) {
       if (!s.swings[l]) continue;
-      const PathPoint support_mid = path_.at(lift_off + pattern_.swing_duration + 0.5 * pattern_.support_duration());
-      const Vec2 center = s.body + ramp_ * (support_mid.p - at_mid.p);
-      s.footholds[l] = center + turned(support_mid.yaw, nominal_offset(o_, l)) + shift;
-      s.clamped[l] = clamp(l, center, support_mid, s.velocity, s.footholds[l]);
+      s.support_mid[l] = next_mid;
+      s.footholds[l] = center + turned(at_next_mid.yaw, nominal_offset(o_, l)) + shift;
+      s.clamped[l] = clamp(l, center, at_next_mid, s.velocity, s.footholds[l]);
     }
     return s;
   }
 
  private:
-  Vec2 body(int step, double lift_off, const PathPoint& at_mid, const PerLeg<Vec2>& feet,
-            const PerLeg<bool>& swings) const noexcept {
+  Vec2 body(const PathPoint& at_mid, const Footstep& s) const noexcept {
+    const bool line = std::count(s.swings.begin(), s.swings.end(), true) >= 2;
     Vec2 sum = Vec2::Zero();
     int standing = 0;
     for (int l = 0; l < kLegs; ++l) {
-      if (swings[l]) continue;
-      const double next_lift_off =
-          lift_off + footsteps_until_swing(pattern_.gait, step, l) * pattern_.footstep_duration();
-      const PathPoint support_mid = path_.at(next_lift_off - 0.5 * pattern_.support_duration());
-      sum += feet[l] - turned(support_mid.yaw, nominal_offset(o_, l)) + ramp_ * (at_mid.p - support_mid.p);
+      if (s.swings[l]) continue;
+      const PathPoint support_mid = line ? at_mid : path_.at(s.support_mid[l]);
+      sum += s.feet[l] - turned(support_mid.yaw, nominal_offset(o_, l)) + ramp_ * (at_mid.p - support_mid.p);
       ++standing;
     }
     return standing == 0 ? at_mid.p : Vec2(sum / standing);
@@ -106,28 +98,31 @@ class Planner {
 
   const FootstepOptions& o_;
   const ReferencePath& path_;
+  double ramp_;
   const GaitPattern& pattern_;
   const ModelTerms& m_;
-  double ramp_;
 };
 
 }  // namespace
 
-FootstepPlan plan_footsteps(const FootstepOptions& options, const ReferencePath& path, double t, const GaitState& gait,
-                            const ModelTerms& m, int count) noexcept {
+FootstepPlan plan_footsteps(const FootstepOptions& options, const ReferencePath& path, const FootstepStart& start,
+                            const GaitState& gait, const ModelTerms& m, int count) noexcept {
   FootstepPlan plan;
   if (gait.pattern.gait == Gait::kStand) return plan;
   constexpr double kShortest = 0.1;  // of the stance phase: time left for the CoM when a footstep begins late
   const double stance = gait.pattern.stance_duration;
-  const Planner planner(options, path, t, gait, m);
+  const Planner planner(options, path, start.ramp, gait.pattern, m);
   PerLeg<Vec2> feet;
   for (int l = 0; l < kLegs; ++l) feet[l] = m.foot[l].p.head<2>();
+  PerLeg<double> support_mid = start.support_mid;
+  double t = start.t;
   double to_lift_off = std::max(stance - gait.footstep_time, kShortest * stance);
   for (int k = 0; k < std::min(count, kMaxHorizon); ++k) {
-    const Footstep step = planner.plan(gait.step + k, t, to_lift_off, feet, k == 0);
+    const Footstep step = planner.plan(gait.step + k, t, to_lift_off, feet, support_mid, k == 0);
     plan.steps[static_cast<std::size_t>(k)] = step;
     ++plan.count;
     feet = step.footholds;
+    support_mid = step.support_mid;
     t += to_lift_off + gait.pattern.swing_duration;
     to_lift_off = stance;
   }

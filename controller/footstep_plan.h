@@ -2,10 +2,10 @@
 //
 // Every foot lands where its nominal position will be in the middle of its time on the ground, so that the standing
 // feet tell where the body should be: b(t) = mean over them of (foot - R offset) moved along the commanded path from
-// the middle of their own support to t. For a trot b in mid-swing is the centre of the supporting diagonal. Heading
-// and velocity are the path's, positions relative to the feet, so that a push shifts the plan; feedback of the CoM
-// velocity and of the distance from the path acts on the first footstep only.
-// Valid for level ground at z = 0 of W (the expected ground; the terrain is unknown to the planner).
+// the middle of their own support to t. With two feet down b in mid-swing is the centre of their line, whatever the
+// path says: there is nowhere else to stand. Heading and velocity are the path's, positions relative to the feet, so
+// that a push shifts the plan; feedback of the CoM velocity and of the distance from the path acts on the first
+// footstep only. Valid for level ground at z = 0 of W (the expected ground; the terrain is unknown to the planner).
 #pragma once
 
 #include "controller/gait_scheduler.h"
@@ -33,6 +33,7 @@ struct Footstep {
   double swing_duration = 0.0;
   PerLeg<Vec2> feet;             // [m] sphere centres before lift-off
   PerLeg<Vec2> footholds;        // [m] after landing
+  PerLeg<double> support_mid{};  // [s] of the path: when the feet after landing are in the middle of their support
   PerLeg<bool> clamped{};        // the foothold was out of the leg's reach and has been moved
   Vec2 body = Vec2::Zero();      // [m] b in mid-swing
   Vec2 velocity = Vec2::Zero();  // [m/s] of the path there
@@ -43,9 +44,16 @@ struct FootstepPlan {
   std::array<Footstep, kMaxHorizon> steps;
 };
 
-// `count` <= kMaxHorizon footsteps from time t [s] of the path on; the first is the gait's present one. Count 0, and
-// the gait that stands, give an empty plan.
-FootstepPlan plan_footsteps(const FootstepOptions& options, const ReferencePath& path, double t, const GaitState& gait,
-                            const ModelTerms& m, int count) noexcept;
+// Where the plan starts.
+struct FootstepStart {
+  double t = 0.0;                // [s] of the path
+  double ramp = 1.0;             // [-] share of the path's speed, below 1 after standing
+  PerLeg<double> support_mid{};  // [s] of the path: when each foot is, or was, in the middle of its support
+};
+
+// `count` <= kMaxHorizon footsteps; the first is the gait's present one. Count 0, and the gait that stands, give an
+// empty plan.
+FootstepPlan plan_footsteps(const FootstepOptions& options, const ReferencePath& path, const FootstepStart& start,
+                            const GaitState& gait, const ModelTerms& m, int count) noexcept;
 
 }  // namespace dob

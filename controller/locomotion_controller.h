@@ -31,7 +31,6 @@ class LocomotionController {
   const MotionReference& reference() const noexcept { return planner_.reference(); }
   const WbcSolution& solution() const noexcept { return wbc_.solution(); }
   const WbcProblem& last_problem() const noexcept { return wbc_.last_problem(); }
-  const ReferencePath& path() const noexcept { return planner_.path(); }
   const MotionPlanner& planner() const noexcept { return planner_; }
 
  private:

@@ -35,13 +35,13 @@ void require_valid(const ZmpOptions& o) {
   require(o.sigma_jerk > 0.0, "zmp.sigma_jerk_m_s3", o.sigma_jerk, "> 0");
 }
 
-int samples(double duration, double sample) noexcept {
-  return static_cast<int>(std::ceil(duration / sample - 1e-9));
+double samples(double duration, double sample) noexcept {
+  return std::ceil(duration / sample - 1e-9);
 }
 
 void require_room_for_samples(const PlannerOptions& o, const GaitPattern& p) {
   const double sample = o.zmp.sample;
-  const int count =
+  const double count =
       (o.horizon + 1) * samples(p.stance_duration, sample) + o.horizon * samples(p.swing_duration, sample);
   require(count <= kMaxZmpSamples, "zmp.sample_s", sample,
           fmt::format("at most {} samples over the {} footsteps of the horizon, these are {}", kMaxZmpSamples,
@@ -98,7 +98,9 @@ MotionPlanner::MotionPlanner(const PlannerOptions& o, const GaitOptions& gait, R
 void MotionPlanner::reset(const ModelTerms& m) noexcept {
   com_.start(m.p_com.head<2>(), Vec2::Zero());
   com_start_time_ = height_start_time_ = attitude_start_time_ = 0.0;
-  height_ = {m.p_com.z(), 0.0, options_.com_height, 1.0};
+  height_ = HeightTrajectory::plan(m.p_com.z(), m.v_c.z(), options_.com_height, 1.0);
+  last_time_ = stood_ = ramp_start_ = 0.0;
+  support_mid_.fill(0.0);
   tilt_.setZero();
   tilt_rate_.setZero();
   plan_ = {};
@@ -144,9 +146,20 @@ void MotionPlanner::append_paper_stance(const Footstep& step) noexcept {
   path_ahead_.append_cubic(step.to_lift_off, center, Vec2::Zero());
 }
 
-void MotionPlanner::plan_stand(const GaitState& gait) noexcept {
+// The path waits while the gait stands, and starts again with the ramp.
+void MotionPlanner::follow_gait(double t, const GaitState& gait) noexcept {
+  stands_ = gait.pattern.gait == Gait::kStand;
+  if (stands_) {
+    stood_ += t - last_time_;
+    ramp_start_ = path_time(t);
+    support_mid_.fill(ramp_start_);
+  }
+  last_time_ = t;
+}
+
+void MotionPlanner::plan_stand(const GaitState& gait, const ModelTerms& m) noexcept {
   PerLeg<Vec2> feet;
-  for (int l = 0; l < kLegs; ++l) feet[l] = reference_.foothold[l].head<2>();
+  for (int l = 0; l < kLegs; ++l) feet[l] = m.foot[l].p.head<2>();
   path_ahead_.append_cubic(gait.pattern.stance_duration, center_of(feet), Vec2::Zero());
   com_ = path_ahead_;
 }
@@ -155,13 +168,16 @@ void MotionPlanner::plan_footstep(double t, const GaitState& gait, const ModelTe
   const Vec2 acceleration = com_.at(t - com_start_time_).a;  // planned: the reference stays smooth
   const Motion<Vec2> start{m.p_com.head<2>(), m.v_c.head<2>(), acceleration};
   const int horizon = options_.kind == PlannerKind::kSpline ? 1 : options_.horizon;
-  plan_ = plan_footsteps(options_.footsteps, path_, t, gait, m, horizon);
+  const double since_stand = path_time(t) - ramp_start_;
+  const double ramp = options_.footsteps.start_ramp;
+  plan_ = plan_footsteps(options_.footsteps, path_,
+                         {path_time(t), since_stand < ramp ? since_stand / ramp : 1.0, support_mid_}, gait, m, horizon);
   com_start_time_ = height_start_time_ = t;
   path_ahead_.start(start.p, start.v);
   const double to_lift_off = plan_.count == 0 ? gait.pattern.stance_duration : plan_.steps[0].to_lift_off;
-  height_ = {m.p_com.z(), m.v_c.z(), options_.com_height, to_lift_off};
+  height_ = HeightTrajectory::plan(m.p_com.z(), m.v_c.z(), options_.com_height, to_lift_off);
   if (plan_.count == 0) {
-    plan_stand(gait);
+    plan_stand(gait, m);
     return;
   }
   if (options_.kind == PlannerKind::kPaperSplit) {
@@ -182,7 +198,8 @@ void MotionPlanner::plan_footstep(double t, const GaitState& gait, const ModelTe
 void MotionPlanner::plan_swing(double t, const GaitState& gait, const ModelTerms& m) noexcept {
   const Motion<Vec2> start{m.p_com.head<2>(), m.v_c.head<2>(), com_.at(t - com_start_time_).a};
   const Footstep& step = plan_.steps[0];
-  height_ = {m.p_com.z(), m.v_c.z(), options_.com_height, step.swing_duration};
+  height_ = HeightTrajectory::plan(m.p_com.z(), m.v_c.z(), options_.com_height, step.swing_duration);
+  plan_attitude(t, step.swing_duration, m);
   com_start_time_ = height_start_time_ = t;
   path_ahead_.start(start.p, start.v);
   if (is_static(step)) {
@@ -200,7 +217,6 @@ void MotionPlanner::optimize(const Motion<Vec2>& start, const GaitState& gait, b
   ZmpTask task;
   task.start = start;
   task.height = height_;
-  if (from_lift_off) task.height.duration = gait.pattern.swing_duration;
   const auto add = [&](double duration, const PerLeg<bool>& stance, const PerLeg<Vec2>& feet, int pieces) {
     const bool line = std::count(stance.begin(), stance.end(), true) <= 2;
     task.phase[static_cast<std::size_t>(task.phases++)] = {duration, pieces, support_polygon(stance, feet, width),
@@ -217,10 +233,11 @@ void MotionPlanner::optimize(const Motion<Vec2>& start, const GaitState& gait, b
   path_ahead_.append_cubic(gait.pattern.stance_duration, task.end, Vec2::Zero());
   com_ = path_ahead_;
   zmp_report_ = optimizer_.solve(task, path_ahead_, com_);
+  zmp_planned_ = true;
 }
 
 void MotionPlanner::plan_attitude(double t, double duration, const ModelTerms& m) noexcept {
-  const PathPoint now = path_.at(t);
+  const PathPoint now = path_.at(path_time(t));
   const Eigen::AngleAxisd tilt(Mat3(m.state.R_WB * heading(now.yaw).transpose()));
   tilt_ = tilt.angle() * tilt.axis();
   tilt_rate_ = m.state.omega_WB - Vec3(0.0, 0.0, now.yaw_rate);
@@ -228,21 +245,29 @@ void MotionPlanner::plan_attitude(double t, double duration, const ModelTerms& m
   attitude_duration_ = duration;
 }
 
+// The tilt's rates are those of its rotation vector, which are an angular velocity and acceleration for small tilts:
+// within 1 % up to 0.2 rad.
 void MotionPlanner::update_attitude(double t) noexcept {
-  const PathPoint now = path_.at(t);
+  const PathPoint now = path_.at(path_time(t));
   const Motion<Vec3> tilt =
       cubic_at<Vec3>(t - attitude_start_time_, attitude_duration_, tilt_, tilt_rate_, Vec3::Zero(), Vec3::Zero());
   reference_.R_WB = rotation(tilt.p) * heading(now.yaw);
-  reference_.omega = Vec3(0.0, 0.0, now.yaw_rate) + tilt.v;
+  reference_.omega = tilt.v;
+  if (!stands_) reference_.omega.z() += now.yaw_rate;
+  reference_.alpha = tilt.a;
+  reference_.path = now.p;
 }
 
 const MotionReference& MotionPlanner::update(double t, const GaitState& gait, const ModelTerms& m) noexcept {
+  zmp_planned_ = false;
+  follow_gait(t, gait);
   if (gait.footstep_begins) plan_footstep(t, gait, m);
   for (int l = 0; l < kLegs; ++l) {
     if (gait.lift_off[l]) {
       const double radius = m.foot[l].p.z() - m.contact[l].p.z();
       reference_.foothold[l] << plan_.steps[0].footholds[l], radius;
       reference_.clamped[l] = plan_.steps[0].clamped[l];
+      support_mid_[l] = plan_.steps[0].support_mid[l];
       swing_[l].plan(m.foot[l].p, reference_.foothold[l], gait.pattern.swing_duration, options_.swing);
     }
     if (!gait.stands(l)) reference_.foot[l] = swing_[l].at(gait.swing_time[l]);

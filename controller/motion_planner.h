@@ -7,7 +7,8 @@
 //                ZMP optimisation again at every lift-off (4.1.2), trunk attitude re-planned by a cubic as well
 // The regularised path that the optimisation stays close to is the spline planner's motion, footstep after footstep.
 // It crosses the supporting diagonal of a trot in mid-swing; with three feet down (crawl) it rests inside the
-// triangle. Valid for level ground at z = 0 of W.
+// triangle. While the gait stands the path waits. A lift-off that waits for a late foot does not re-time the plan: the
+// CoM goes on as planned. Valid for level ground at z = 0 of W.
 #pragma once
 
 #include "controller/com_trajectory.h"
@@ -42,6 +43,8 @@ struct MotionReference {
   Motion<Vec3> com;           // [m, m/s, m/s^2]
   Mat3 R_WB;                  // trunk attitude
   Vec3 omega;                 // [rad/s]
+  Vec3 alpha;                 // [rad/s^2]
+  Vec2 path;                  // [m] where the commanded path says the CoM should be, never re-planned
   PerLeg<Motion<Vec3>> foot;  // sphere centre; meaningful for legs that do not stand
   PerLeg<Vec3> foothold;      // [m] planned sphere centre at the last (or present) landing, on the ground
   PerLeg<bool> clamped{};     // that foothold was out of the leg's reach and has been moved
@@ -59,13 +62,16 @@ class MotionPlanner {
   const MotionReference& update(double t, const GaitState& gait, const ModelTerms& m) noexcept;
 
   const MotionReference& reference() const noexcept { return reference_; }
-  const ReferencePath& path() const noexcept { return path_; }
   const PlannerOptions& options() const noexcept { return options_; }
-  const ZmpReport& zmp_report() const noexcept { return zmp_report_; }  // of the last optimisation
+  bool zmp_planned() const noexcept { return zmp_planned_; }  // an optimisation was due at the last update
+  // Of the last optimisation. A status other than kOptimal: the regularised path is walked instead.
+  const ZmpReport& zmp_report() const noexcept { return zmp_report_; }
 
  private:
+  double path_time(double t) const noexcept { return t - stood_; }
+  void follow_gait(double t, const GaitState& gait) noexcept;
   void plan_footstep(double t, const GaitState& gait, const ModelTerms& m) noexcept;
-  void plan_stand(const GaitState& gait) noexcept;
+  void plan_stand(const GaitState& gait, const ModelTerms& m) noexcept;
   void plan_swing(double t, const GaitState& gait, const ModelTerms& m) noexcept;
   void append_paper_stance(const Footstep& step) noexcept;
   void append_footstep(const Footstep& step) noexcept;
@@ -83,7 +89,13 @@ class MotionPlanner {
   HeightTrajectory height_;
   ZmpOptimizer optimizer_;
   ZmpReport zmp_report_;
+  bool zmp_planned_ = false;
   double com_start_time_ = 0.0, height_start_time_ = 0.0;
+  bool stands_ = true;            // the gait is "stand"
+  double last_time_ = 0.0;        // [s] of the last update
+  double stood_ = 0.0;            // [s] spent standing, by which the path is late
+  double ramp_start_ = 0.0;       // [s] of the path: the end of the last stand
+  PerLeg<double> support_mid_{};  // [s] of the path: when each foot is, or was, in the middle of its support
   // paper_split: rotation vector from the path's heading to the reference, a cubic to zero.
   Vec3 tilt_ = Vec3::Zero(), tilt_rate_ = Vec3::Zero();  // [rad, rad/s] at the start
   double attitude_start_time_ = 0.0, attitude_duration_ = 1.0;

@@ -7,7 +7,7 @@
 //     J_com rdd_c + J_j qdd = e   <=>   qdd = D^-1 e - E y,   S y = rdd_c - A_c D^-1 e,
 //     E = D^-1 J_com (12x6),  S = I - A_c E (6x6).
 // The inertia has the same structure. With M_q = diag(M_qq) - A_c^T M_com A_c and (18), the leg rows of (1) are
-//     tau = F^T y + diag(M_qq) qdd + c - D^T f,   F = M_com A_c (6x12).
+//     tau = F^T y + diag(M_qq) qdd + c - D^T f - A_c^T (w_18 - m g),   F = M_com A_c (6x12).
 #pragma once
 
 #include "robot/model_terms.h"

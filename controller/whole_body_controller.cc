@@ -79,7 +79,7 @@ WbcTick WholeBodyController::update(long k, double dt, const ModelTerms& m, cons
     if (J.factorize(m, points)) {
       compensation = compensate(m, points, J, stance, estimate, routing_, solve_now);
       if (solve_now) solve(m, reference, compensation, points, J, tick);
-    } else if (solve_now) {
+    } else {  // of the due solve, or of the compensation between two
       tick.event = QpEvent::kNotSolved;
       tick.qp_status = QpStatus::kSingular;
     }
@@ -88,7 +88,12 @@ WbcTick WholeBodyController::update(long k, double dt, const ModelTerms& m, cons
   Vec12 torque = m.M_q.lazyProduct(solution_.qdd);
   if (options_.coriolis == WbcOptions::Coriolis::kExact) torque += m.c_q;
   torque -= joint_torques(m, points, solution_.foot_force) + compensation.torque;
-  if (torque.allFinite()) torque_ = torque.cwiseMax(-options_.torque_limit).cwiseMin(options_.torque_limit);
+  if (torque.allFinite()) {
+    torque_ = torque.cwiseMax(-options_.torque_limit).cwiseMin(options_.torque_limit);
+  } else {
+    tick.event = QpEvent::kNotSolved;
+    tick.qp_status = QpStatus::kInvalidInput;
+  }
   tick.torque = torque_;
   return tick;
 }

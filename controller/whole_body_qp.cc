@@ -43,6 +43,7 @@ Vec6 desired_wrench(const ModelTerms& m, const MotionReference& reference, const
   velocity_error << reference.com.v - m.v_c.head<3>(), reference.omega - m.state.omega_WB;
   wrench = options.wrench_kp.cwiseProduct(position_error) + options.wrench_kd.cwiseProduct(velocity_error);
   wrench.head<3>() += m.mass * reference.com.a;
+  wrench.tail<3>() += m.I_c * reference.alpha;
   wrench[2] += m.mass * kGravity;
   return wrench;
 }

@@ -12,9 +12,8 @@
 namespace dob {
 namespace {
 
-constexpr double kSlackQuadratic = 1e6;   // [1/m^2]
-constexpr double kSlackLinear = 1e3;      // [1/m]
-constexpr double kSmallestGravity = 1.0;  // [m/s^2] of g + z_dd in (10), (11): a falling CoM has no ZMP
+constexpr double kSlackQuadratic = 1e6;  // [1/m^2]
+constexpr double kSlackLinear = 1e3;     // [1/m]
 
 // Cubic pieces of unit jerk: what each adds to position, velocity and acceleration at a time.
 template <int Pieces>
@@ -146,7 +145,7 @@ class HorizonProgram {
   // (10), (11): zmp = p - h a with h = z / (g + z_dd), z above the ground.
   void add_zmp_rows(const ZmpPhase& phase, const Motion<double>& height, const Basis<kPieces>& b,
                     const Motion<Vec2>& free) noexcept {
-    const double h = height.p / std::max(kGravity + height.a, kSmallestGravity);
+    const double h = height.p / (kGravity + height.a);
     const Row zmp = b.p - h * b.a;
     const Vec2 zmp_free = free.p - h * free.a;
     for (int e = 0; e < phase.polygon.edges; ++e) {

@@ -7,7 +7,8 @@
 //  - at the end: position given, velocity and acceleration zero, so that the robot can stop and stand,
 //  - the ZMP inside the support polygon at every sample, one row per edge: eqs (10), (11) with L_dot = 0,
 //        n^T (p - z / (g + z_dd) a) - s <= offset - margin,     s >= 0 with a quadratic and a linear penalty.
-// The height is planned first, so the rows are linear; one slack s for all rows keeps the problem feasible.
+// The height is planned first (and kept from falling: HeightTrajectory), so the rows are linear; one slack s for all
+// rows keeps the problem feasible.
 #pragma once
 
 #include <memory>
@@ -38,7 +39,7 @@ struct ZmpPhase {
 inline constexpr int kMaxZmpPhases = 2 * kMaxHorizon + 1;
 inline constexpr int kStancePieces = 3;
 inline constexpr int kSwingPieces = 2;
-inline constexpr int kMaxZmpSamples = 220;  // over all phases; validated against the gait by MotionPlanner
+inline constexpr int kMaxZmpSamples = 300;  // over all phases; validated against the gait by MotionPlanner
 
 struct ZmpTask {
   Motion<Vec2> start;

@@ -24,7 +24,8 @@ struct CellMetrics {
   std::optional<double> estimate_rmse_N, joint_estimate_rmse_Nm;
   std::optional<double> orientation_error_max_rad, torque_saturation_ratio, slip_max_m;
   long qp_solves = 0;
-  long qp_failures = 0;  // solves that did not end optimal; the fallback was used
+  long planner_failures = 0;  // ZMP optimisations that did not end optimal; the regularised path was walked
+  long qp_failures = 0;       // solves that did not end optimal; the fallback was used
 };
 
 struct CellResult {

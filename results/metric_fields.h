@@ -36,6 +36,7 @@ inline constexpr std::array kMetricFields{
     MetricField{"torque_saturation_ratio", &CellMetrics::torque_saturation_ratio},
     MetricField{"qp_failures", nullptr, &CellMetrics::qp_failures},
     MetricField{"slip_max_m", &CellMetrics::slip_max_m},
+    MetricField{"planner_failures", nullptr, &CellMetrics::planner_failures},
 };
 
 // Index of a name in kMetricFields; a name that is not there does not compile.

@@ -59,6 +59,7 @@ void MetricsAccumulator::add(const TickRecord& tick) noexcept {
   add_force_errors(tick);
   add_estimate_errors(tick);
   add_slip(tick);
+  if (tick.zmp_planned && tick.zmp_status != QpStatus::kOptimal) ++planner_failures_;
   if (tick.qp_solved) {
     ++qp_solves_;
     if (tick.qp_status != QpStatus::kOptimal) ++qp_failures_;
@@ -112,6 +113,7 @@ CellMetrics MetricsAccumulator::finish() const {
   m.slip_max_m = finite(slip_max_);
   m.qp_solves = qp_solves_;
   m.qp_failures = qp_failures_;
+  m.planner_failures = planner_failures_;
   return m;
 }
 

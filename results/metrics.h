@@ -54,6 +54,7 @@ class MetricsAccumulator {
   PerLeg<Vec3> slip_;  // [m] of the present stance
   long qp_solves_ = 0;
   long qp_failures_ = 0;
+  long planner_failures_ = 0;
 };
 
 }  // namespace dob

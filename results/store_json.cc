@@ -85,6 +85,7 @@ Json to_json(const CellResult& cell) {
   }
   json["qp_solves"] = cell.metrics.qp_solves;
   json["qp_failures"] = cell.metrics.qp_failures;
+  json["planner_failures"] = cell.metrics.planner_failures;
   return json;
 }
 
@@ -121,6 +122,7 @@ CellResult cell_from_json(const Json& json) {
   }
   json.at("qp_solves").get_to(cell.metrics.qp_solves);
   json.at("qp_failures").get_to(cell.metrics.qp_failures);
+  json.at("planner_failures").get_to(cell.metrics.planner_failures);
   return cell;
 }
 

@@ -19,11 +19,15 @@ struct TickRecord {
   PerLeg<bool> foothold_clamped{};  // that foothold was out of the leg's reach and has been moved
   Vec2 zmp_reference;               // [m] of the CoM reference, eqs (10), (11)
   double zmp_margin = 0.0;          // [m] its distance to the nearest edge of the support polygon, negative outside
-  Vec2 center_of_pressure;          // [m] of the measured ground reaction forces; NaN while no foot carries
-  PerLeg<bool> stance{};            // scheduled on the ground
-  PerLeg<bool> lift_off{};          // a swing begins at this tick
-  PerLeg<bool> touchdown{};         // the foot landed at this tick
-  bool disturbance_onset = false;   // the set of acting disturbances changed at this tick (begin, end, new draw)
+  bool zmp_planned = false;         // a ZMP optimisation was due at this tick
+  QpStatus zmp_status = QpStatus::kOptimal;  // of it
+  int zmp_active_rows = 0;
+  double zmp_slack = 0.0;          // [m]
+  Vec2 center_of_pressure;         // [m] of the measured ground reaction forces; NaN while no foot carries
+  PerLeg<bool> stance{};           // scheduled on the ground
+  PerLeg<bool> lift_off{};         // a swing begins at this tick
+  PerLeg<bool> touchdown{};        // the foot landed at this tick
+  bool disturbance_onset = false;  // the set of acting disturbances changed at this tick (begin, end, new draw)
   bool disturbance_active = false;
   Vec12 foot_force_commanded;  // [N] of the held QP solution, zero for swinging feet
   Vec12 foot_force;            // [N] ground reaction forces measured over the step

@@ -122,7 +122,7 @@ PlannerOptions read_planner(Reader& r) {
     t.table("zmp", [&](Reader& z) {
       planner.zmp = {.line_half_width = z.number("line_half_width_m", above(0.0, 1.0)),
                      .margin = z.number("margin_m", between(0.0, 1.0)),
-                     .sample = z.number("sample_s", above(0.0, 1.0)),
+                     .sample = z.number("sample_s", between(1e-3, 1.0)),
                      .sigma_position = z.number("sigma_position_m", above(0.0, 1e3)),
                      .sigma_velocity = z.number("sigma_velocity_m_s", above(0.0, 1e3)),
                      .sigma_jerk = z.number("sigma_jerk_m_s3", above(0.0, 1e6))};

@@ -28,35 +28,29 @@ Instances with_standing(const Instances& all, int feet) {
   return chosen;
 }
 
-// In the order of the run, with the estimates of an observer, or with random ones, which load the rows more.
+// In the order of the run, with the estimates of the observer.
 Instances trot(int feet) {
-  return with_standing(test::recorded_instances(6.0), feet);
+  return with_standing(test::recorded_instances(8.0), feet);
 }
-Instances trot_under_load(int feet) {
-  std::mt19937_64 random(1);
-  return with_standing(test::recorded_instances(6.0, random), feet);
-}
-
 Instances crawl() {
-  return with_standing(test::recorded_instances(6.0, "crawl/tip_lateral"), 3);
+  return with_standing(test::recorded_instances(10.0, "crawl/tip_lateral"), 3);
 }
 
 struct Phase {
   const char* name;
   std::function<Instances()> instances;
-  std::function<Instances()> under_load;  // for cold_active; none if empty
 };
 
 const std::vector<Phase>& phases() {
   static const std::vector<Phase> all{
-      {"stance", [] { return trot(4); }, [] { return trot_under_load(4); }},
-      {"trot_swing", [] { return trot(2); }, [] { return trot_under_load(2); }},
-      {"crawl_swing", crawl, {}},
+      {"stance", [] { return trot(4); }},
+      {"trot_swing", [] { return trot(2); }},
+      {"crawl_swing", crawl},
   };
   return all;
 }
 
-// Slippery ground and weak motors, so that friction and torque rows are active.
+// The same instances for slippery ground and weak motors, so that friction and torque rows are active.
 WbcOptions tight() {
   WbcOptions options;
   options.friction = 0.15;
@@ -160,9 +154,7 @@ void add_qp_benchmarks() {
     const std::string prefix = std::string("qp/") + phase.name;
     add(prefix + "/cold", [&phase](benchmark::State& s) { cold(s, phase.instances, WbcOptions{}); });
     add(prefix + "/warm", [&phase](benchmark::State& s) { warm(s, phase); });
-    if (phase.under_load) {
-      add(prefix + "/cold_active", [&phase](benchmark::State& s) { cold(s, phase.under_load, tight()); });
-    }
+    add(prefix + "/cold_active", [&phase](benchmark::State& s) { cold(s, phase.instances, tight()); });
     add(prefix + "/alglib_paper", [&phase](benchmark::State& s) { alglib(s, phase, test::kAlglibPaper, printed); });
     add(prefix + "/alglib_accurate",
         [&phase](benchmark::State& s) { alglib(s, phase, test::kAlglibAccurate, printed); });

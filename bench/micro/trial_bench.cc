@@ -85,30 +85,32 @@ double ode_step_p50_us(const Scenario& s, const Recording& recording) {
   return *middle;
 }
 
-// Gait, planner, QP when due and torques of a recorded trot: everything of a tick but model, observer and simulator.
+// Gait, planner, QP when due, compensation and torques of a recorded trot under case 1's force at the foot tip:
+// everything of a tick but model, observer and simulator.
 // Beside it, a step of ODE in the same run.
 void control_tick(benchmark::State& state) {
-  const Scenario s = beginning("undisturbed");
-  const ObserverConfig observer = load_observer("momentum", "matched");
+  const Scenario s = beginning("case1/tip_lateral");
+  const ObserverConfig observer = load_observer("momentum_com", "matched");
   Trial trial(s, observer, 1);
   std::vector<ModelTerms> terms;
   std::vector<Vec12> forces;
+  std::vector<DisturbanceEstimate> estimates;
   Vec12 force = Vec12::Zero();
   while (trial.time() < s.duration) {
     terms.push_back(trial.model_terms());
     forces.push_back(force);
+    const Estimate& e = trial.estimate();
+    estimates.push_back({e.has_legs, e.leg_torque, e.has_com, e.com_wrench});
     if (!trial.tick()) break;
     force = trial.record().foot_force;
   }
   LocomotionController controller({s.gait, s.planner, s.controller, observer.routing}, ReferencePath(s.path), s.sim.dt);
-  DisturbanceEstimate estimate;
-  estimate.has_legs = true;
   measure(
       state,
       [&](long i) {
         const auto k = static_cast<std::size_t>(i) % terms.size();
         if (k == 0) controller.reset(terms[0]);
-        benchmark::DoNotOptimize(controller.update(terms[k], forces[k], estimate));
+        benchmark::DoNotOptimize(controller.update(terms[k], forces[k], estimates[k]));
       },
       1);
   state.counters["ode_step_p50_us"] = ode_step_p50_us(s, record(s, observer));

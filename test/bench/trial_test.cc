@@ -36,6 +36,21 @@ TEST(Trial, UndisturbedTrotTracksItsReference) {
   EXPECT_GE(result.metrics.qp_solves, 6000);  // 400 Hz, and more at changes of the stance set
 }
 
+// Case 1 without compensation on the swinging legs: the pushed foot drifts (the paper's Fig. 4), and where the push is
+// at the tip the robot falls (paper: at 11.3 s; here at about 21 s).
+TEST(Trial, WithoutSwingCompensationThePushedFootDriftsAndAPushAtTheTipEndsInAFall) {
+  const auto run = [](const char* scenario, const char* observer) {
+    return Trial(load(scenario, 30.0), load_observer(observer, "matched"), 1).run();
+  };
+  const CellResult with = run("case1/knee_lateral", "momentum");
+  const CellResult without = run("case1/knee_lateral", "momentum:routing.swing_31=off");
+  EXPECT_GT(*without.metrics.foot_error_max_m, 5.0 * *with.metrics.foot_error_max_m);
+  EXPECT_EQ(run("case1/tip_lateral", "momentum").outcome, Outcome::kSurvived);
+  const CellResult fallen = run("case1/tip_lateral", "momentum:routing.swing_31=off");
+  EXPECT_EQ(fallen.outcome, Outcome::kFell);
+  EXPECT_LT(fallen.simulated_s, 30.0);
+}
+
 // Margin of the planned ZMP and the feet's phases over a run.
 struct Balance {
   double smallest_margin = 1.0;  // [m]
@@ -70,13 +85,19 @@ TEST(Trial, GaitChangesFromTrotToCrawlToStandWithoutAFall) {
   Scenario scenario = load("undisturbed", 12.0);
   scenario.gait.switches = {{3.0, {Gait::kCrawl, 0.5, 0.3}}, {8.0, {Gait::kStand, 0.5, 0.3}}};
   scenario.planner.zmp.margin = 0.05;
-  scenario.path = {{3.0, 0.12, 0.0}, {5.0, 0.03, 0.0}, {4.0, 0.0, 0.0}};
+  scenario.path = {{3.0, 0.12, 0.0}, {9.0, 0.03, 0.02}};  // goes on, but waits while the robot stands
   PerLeg<double> last_lift_off{};
+  double last_x = 0.0, largest_step_back = 0.0, largest_lag = 0.0;
   const CellResult result = Trial(scenario, load_observer("none", "paper"), 1).run([&](const TickRecord& r) {
     for (int l = 0; l < kLegs; ++l) {
       if (r.lift_off[l]) last_lift_off[l] = r.t;
     }
+    largest_step_back = std::max(largest_step_back, last_x - r.com_reference.x());
+    last_x = r.com_reference.x();
+    largest_lag = std::max(largest_lag, (r.path_position - r.com.head<2>()).norm());
   });
+  EXPECT_LT(largest_step_back, 0.001);  // [m] per tick: the body is not sent back by the change of gait
+  EXPECT_LT(largest_lag, 0.15);         // [m] with the path at a halt in the stand
   EXPECT_EQ(result.outcome, Outcome::kSurvived) << result.reason;
   for (int l = 0; l < kLegs; ++l) {
     EXPECT_GT(last_lift_off[l], 3.0);

@@ -37,14 +37,14 @@ class FootstepPlanTest : public ::testing::Test {
 
 TEST_F(FootstepPlanTest, TrotBodyInMidSwingIsTheCentreOfTheSupportingDiagonal) {
   m.foot[1].p += Vec3(0.02, -0.01, 0.0);
-  const FootstepPlan plan = plan_footsteps(options, path, 10.0, gait(Gait::kTrot, 0), m, 1);
+  const FootstepPlan plan = plan_footsteps(options, path, {.t = 10.0}, gait(Gait::kTrot, 0), m, 1);
   ASSERT_EQ(plan.count, 1);
   EXPECT_NEAR((plan.steps[0].body - Vec2(0.01, -0.005)).norm(), 0.0, 1e-12);
 }
 
 TEST_F(FootstepPlanTest, FootstepsOfTheHorizonFollowOneAnother) {
   options.path_feedback = 0.0;
-  const FootstepPlan plan = plan_footsteps(options, path, 10.0, gait(Gait::kTrot, 0), m, 3);
+  const FootstepPlan plan = plan_footsteps(options, path, {.t = 10.0}, gait(Gait::kTrot, 0), m, 3);
   ASSERT_EQ(plan.count, 3);
   for (int k = 0; k < 3; ++k) {
     EXPECT_EQ(plan.steps[k].swings, swing_legs(Gait::kTrot, k));
@@ -65,13 +65,14 @@ TEST_F(FootstepPlanTest, SteadyCrawlKeepsTheBodyOnThePath) {
   for (int step = 0; step < 4; ++step) {
     const GaitState state = gait(Gait::kCrawl, step);
     const double T = state.pattern.footstep_duration(), lift_off = t + state.pattern.stance_duration;
+    FootstepStart start{.t = t};
     for (int l = 0; l < kLegs; ++l) {
       int until = 0;
       while (!swing_legs(Gait::kCrawl, step + until)[l]) ++until;
-      const double support_mid = lift_off + until * T - 0.5 * state.pattern.support_duration();
-      m.foot[l].p.head<2>() = slow.at(support_mid).p + nominal(l);
+      start.support_mid[l] = lift_off + until * T - 0.5 * state.pattern.support_duration();
+      m.foot[l].p.head<2>() = slow.at(start.support_mid[l]).p + nominal(l);
     }
-    const FootstepPlan plan = plan_footsteps(options, slow, t, state, m, 3);
+    const FootstepPlan plan = plan_footsteps(options, slow, start, state, m, 3);
     for (int k = 0; k < 3; ++k) {
       const double mid = lift_off + k * T + 0.5 * state.pattern.swing_duration;
       EXPECT_NEAR((plan.steps[k].body - slow.at(mid).p).norm(), 0.0, 1e-9) << step << " " << k;
@@ -79,10 +80,24 @@ TEST_F(FootstepPlanTest, SteadyCrawlKeepsTheBodyOnThePath) {
   }
 }
 
+// A crawl that begins on the feet of a trot: what counts is when each foot is nominal, not what the new gait's timing
+// would have it be.
+TEST_F(FootstepPlanTest, FirstCrawlFootstepsKeepTheBodyOnThePathWhateverGaitPlacedTheFeet) {
+  options.velocity_feedback = 0.0;
+  const double t = 20.0;
+  FootstepStart start{.t = t, .support_mid = {t - 0.06, t + 0.2, t + 0.2, t - 0.06}};
+  for (int l = 0; l < kLegs; ++l) m.foot[l].p.head<2>() = path.at(start.support_mid[l]).p + nominal(l);
+  const FootstepPlan plan = plan_footsteps(options, path, start, gait(Gait::kCrawl, 0), m, 3);
+  for (int k = 0; k < 3; ++k) {
+    const double mid = t + 0.5 + 0.8 * k + 0.15;
+    EXPECT_NEAR((plan.steps[k].body - path.at(mid).p).norm(), 0.0, 1e-9) << k;
+  }
+}
+
 TEST_F(FootstepPlanTest, AFootholdBeyondTheLegsReachIsClampedAndSaysSo) {
-  EXPECT_FALSE(plan_footsteps(options, path, 10.0, gait(Gait::kTrot, 0), m, 1).steps[0].clamped[0]);
+  EXPECT_FALSE(plan_footsteps(options, path, {.t = 10.0}, gait(Gait::kTrot, 0), m, 1).steps[0].clamped[0]);
   m.v_c.head<2>() = Vec2(0.12, 6.0);  // thrown to the left: velocity feedback asks for 0.6 m
-  const Footstep step = plan_footsteps(options, path, 10.0, gait(Gait::kTrot, 0), m, 1).steps[0];
+  const Footstep step = plan_footsteps(options, path, {.t = 10.0}, gait(Gait::kTrot, 0), m, 1).steps[0];
   EXPECT_TRUE(step.clamped[0]);
   EXPECT_FALSE(step.clamped[1]);  // does not swing
   // As seen from the hip of the body on its path, the stretched leg reaches the foothold; the wanted one, 0.6 m
@@ -90,13 +105,14 @@ TEST_F(FootstepPlanTest, AFootholdBeyondTheLegsReachIsClampedAndSaysSo) {
   const Vec3& hip = m.link[0][1].p_WL;
   const double length = (m.link[0][2].p_WL - hip).norm() + (m.foot[0].p - m.link[0][2].p_WL).norm();
   const Vec2 from_hip = step.footholds[0] - hip.head<2>() - Vec2(0.12 * 0.265, 0.0);
-  EXPECT_LT(std::hypot(from_hip.norm(), hip.z() - 0.028), length);
-  EXPECT_GT(std::hypot(from_hip.norm(), hip.z() - 0.028), 0.9 * length);
+  // Stretched to max_reach, less what the body moves ahead in half the foot's time on the ground.
+  const double reach = std::sqrt(std::pow(options.max_reach * length, 2) - std::pow(hip.z() - 0.028, 2));
+  EXPECT_NEAR(from_hip.norm(), reach - 0.5 * 0.12 * 0.415, 1e-9);
 }
 
 TEST_F(FootstepPlanTest, StandingAndAnEmptyHorizonPlanNothing) {
-  EXPECT_EQ(plan_footsteps(options, path, 1.0, gait(Gait::kStand, 0), m, 2).count, 0);
-  EXPECT_EQ(plan_footsteps(options, path, 1.0, gait(Gait::kTrot, 0), m, 0).count, 0);
+  EXPECT_EQ(plan_footsteps(options, path, {.t = 1.0}, gait(Gait::kStand, 0), m, 2).count, 0);
+  EXPECT_EQ(plan_footsteps(options, path, {.t = 1.0}, gait(Gait::kTrot, 0), m, 0).count, 0);
 }
 
 }  // namespace

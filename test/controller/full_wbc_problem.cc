@@ -67,7 +67,8 @@ Vec6 printed_wrench(const ModelTerms& m, const MotionReference& ref, const WbcOp
   for (int i = 0; i < 3; ++i) {
     wrench[i] = o.wrench_kp[i] * (ref.com.p[i] - m.p_com[i]) + o.wrench_kd[i] * (ref.com.v[i] - m.v_c[i]) +
                 m.mass * (ref.com.a[i] + (i == 2 ? kGravity : 0.0));
-    wrench[3 + i] = o.wrench_kp[3 + i] * turn[i] + o.wrench_kd[3 + i] * (ref.omega[i] - m.state.omega_WB[i]);
+    wrench[3 + i] = o.wrench_kp[3 + i] * turn[i] + o.wrench_kd[3 + i] * (ref.omega[i] - m.state.omega_WB[i]) +
+                    m.I_c.row(i).dot(ref.alpha);
   }
   return wrench;
 }

@@ -77,6 +77,19 @@ TEST(ComTrajectory, CubicPiecesAreHermiteSegments) {
   EXPECT_NEAR(motion.duration(), 0.25, 1e-15);
 }
 
+TEST(HeightTrajectory, NeverAsksForMoreThanItsAcceleration) {
+  for (const double v : {-1.0, -0.15, 0.0, 0.15, 1.0}) {
+    for (const double z : {0.35, 0.40, 0.42}) {
+      const HeightTrajectory h = HeightTrajectory::plan(z, v, 0.40, 0.15);
+      EXPECT_GE(h.duration, 0.15);
+      for (double t = 0.0; t < h.duration; t += 0.001) EXPECT_LE(std::abs(h.at(t).a), 3.0 + 1e-9) << z << " " << v;
+      EXPECT_NEAR(h.at(h.duration).p, 0.40, 1e-12);
+      EXPECT_NEAR(h.at(h.duration).v, 0.0, 1e-12);
+    }
+  }
+  EXPECT_EQ(HeightTrajectory::plan(0.401, 0.0, 0.40, 0.15).duration, 0.15);  // a small error is mended at once
+}
+
 class PlannerTest : public ::testing::Test {
  protected:
   Model model = test::dogbot_model();
@@ -166,6 +179,23 @@ TEST_F(PlannerTest, ZmpPlannerDiffersFromTheSplineWhereTheZmpWouldLeaveTheSuppor
   EXPECT_GE(zmp_rows, 3);
 }
 
+// Thrown up as well: the height must not be planned so that the ZMP runs away from under a CoM in free fall.
+TEST_F(PlannerTest, PlannedZmpStaysInsideFromTheFirstTickWhateverTheHeight) {
+  options.kind = PlannerKind::kZmp;
+  m.p_com.z() += 0.02;
+  m.v_c.head<3>() = Vec3(0.12, 0.1, 0.16);
+  MotionPlanner planner(options, gait_options, ReferencePath({{100.0, 0.12, 0.0}}));
+  planner.reset(m);
+  PerLeg<Vec2> feet;
+  for (int l = 0; l < kLegs; ++l) feet[l] = m.foot[l].p.head<2>();
+  const SupportPolygon stance = support_polygon({true, true, true, true}, feet, 0.03);
+  for (int k = 0; k < 150; ++k) {
+    const MotionReference& r = planner.update(10.0 + 1e-3 * k, k == 0 ? footstep() : GaitState{}, m);
+    EXPECT_GT(stance.margin(zero_moment_point(r.com)), -0.002) << k;
+    EXPECT_LE(std::abs(r.com.a.z()), 3.0 + 1e-9);
+  }
+}
+
 TEST_F(PlannerTest, PaperSplitBringsTheCentreOfMassToTheCentreOfTheFourFeetDuringStance) {
   options.kind = PlannerKind::kPaperSplit;
   m.foot[0].p += Vec3(0.04, 0.0, 0.0);
@@ -192,6 +222,16 @@ TEST_F(PlannerTest, PaperSplitLevelsTheTrunkByACubicFromItsMeasuredAttitude) {
   EXPECT_NEAR((planner.update(10.0, footstep(), m).R_WB - tilted.R_WB).norm(), 0.0, 1e-12);
   EXPECT_NEAR(Eigen::AngleAxisd(planner.update(10.075, {}, m).R_WB).angle(), 0.05, 1e-9);
   EXPECT_NEAR((planner.update(10.15, {}, m).R_WB - Mat3::Identity()).norm(), 0.0, 1e-12);
+  // Angular velocity and acceleration are the attitude's derivatives (one axis, so exactly).
+  planner.reset(m);
+  planner.update(10.0, footstep(), m);
+  const double h = 1e-5;
+  const MotionReference before = planner.update(10.05 - h, {}, m);
+  const MotionReference now = planner.update(10.05, {}, m);
+  const MotionReference after = planner.update(10.05 + h, {}, m);
+  const Eigen::AngleAxisd turn(Mat3(after.R_WB * before.R_WB.transpose()));
+  EXPECT_NEAR((turn.angle() * turn.axis() / (2 * h) - now.omega).norm(), 0.0, 1e-6);
+  EXPECT_NEAR(((after.omega - before.omega) / (2 * h) - now.alpha).norm(), 0.0, 1e-6);
 }
 
 TEST_F(PlannerTest, StandingGaitBringsTheCentreOfMassOverTheFeetAndStays) {
@@ -203,9 +243,33 @@ TEST_F(PlannerTest, StandingGaitBringsTheCentreOfMassOverTheFeetAndStays) {
   stand.pattern.gait = Gait::kStand;
   stand.footstep_begins = true;
   planner.update(0.0, stand, m);
-  const MotionReference& later = planner.update(3.0, GaitState{}, m);
+  stand.footstep_begins = false;
+  const MotionReference& later = planner.update(3.0, stand, m);
   EXPECT_NEAR((later.com.p - Vec3(0.0, 0.0, 0.4)).norm(), 0.0, 1e-9);
   EXPECT_NEAR(later.com.v.norm(), 0.0, 1e-12);
+}
+
+// The path waits for a robot that stands, so that neither its heading nor its place run away.
+TEST_F(PlannerTest, WhileTheGaitStandsThePathWaits) {
+  options.kind = PlannerKind::kZmp;
+  const ReferencePath path({{100.0, 0.12, 0.05}});
+  MotionPlanner planner(options, gait_options, path);
+  planner.reset(m);
+  GaitState walk = footstep();
+  planner.update(0.0, walk, m);
+  walk.footstep_begins = false;
+  const Vec2 before = planner.update(1.0, walk, m).path;
+  EXPECT_NEAR((before - path.at(1.0).p).norm(), 0.0, 1e-12);
+  GaitState stand;
+  stand.pattern.gait = Gait::kStand;
+  stand.footstep_begins = true;
+  planner.update(1.0, stand, m);
+  stand.footstep_begins = false;
+  const MotionReference& standing = planner.update(9.0, stand, m);
+  EXPECT_NEAR((standing.path - before).norm(), 0.0, 1e-12);
+  EXPECT_NEAR(Eigen::AngleAxisd(standing.R_WB).angle(), 0.05, 1e-12);
+  EXPECT_EQ(standing.omega, Vec3(Vec3::Zero()));
+  EXPECT_NEAR((planner.update(10.0, walk, m).path - path.at(2.0).p).norm(), 0.0, 1e-12);
 }
 
 TEST_F(PlannerTest, RefusesASamplingThatDoesNotFitTheGait) {

@@ -124,7 +124,7 @@ TEST_F(StoreTest, LineOfACellIsPlainJsonWithTheHashInHexAndNoWallTime) {
             R"("foot_error_onset_max_m":null,"foot_error_stance_max_m":null,"foothold_error_max_m":null,)"
             R"("grf_error_mean_N":null,"estimate_rmse_N":null,"joint_estimate_rmse_Nm":null,)"
             R"("orientation_error_max_rad":null,"torque_saturation_ratio":null,"slip_max_m":null,)"
-            R"("qp_solves":0,"qp_failures":0})"
+            R"("qp_solves":0,"qp_failures":0,"planner_failures":0})"
             "\n");
   EXPECT_THAT(read_text(dir / "timing.jsonl"), HasSubstr(R"("seed":3,"overrides":"","wall_s":2.5})"));
 }

@@ -31,7 +31,8 @@ const std::set<std::string> kMetrics{"com_error_max_m",
                                      "orientation_error_max_rad",
                                      "torque_saturation_ratio",
                                      "qp_failures",
-                                     "slip_max_m"};
+                                     "slip_max_m",
+                                     "planner_failures"};
 const std::set<std::string> kTiming{"tick_time_p50_us", "tick_time_p99_us", "tick_time_max_us",
                                     "qp_time_p50_us",   "qp_time_p99_us",   "real_time_factor"};
 
@@ -129,9 +130,11 @@ TEST(TableCsvTest, HeadingAndLineStandForEveryField) {
             "torque_saturation_ratio,torque_saturation_ratio_worst,torque_saturation_ratio_ci95_low,"
             "torque_saturation_ratio_ci95_high,"
             "qp_failures,qp_failures_worst,qp_failures_ci95_low,qp_failures_ci95_high,"
-            "slip_max_m,slip_max_m_worst,slip_max_m_ci95_low,slip_max_m_ci95_high,fall_reason,error_reason");
+            "slip_max_m,slip_max_m_worst,slip_max_m_ci95_low,slip_max_m_ci95_high,"
+            "planner_failures,planner_failures_worst,planner_failures_ci95_low,planner_failures_ci95_high,"
+            "fall_reason,error_reason");
   EXPECT_EQ(lines[1], "case1,knee,none,-,paper,spline,,1,1,1,,,0,20.5,0.25,0.25,,," + std::string(52, ',') +
-                          "0.0,0.0,,,,,,,trunk tilted,");
+                          "0.0,0.0,,,,,,,0.0,0.0,,,trunk tilted,");
 }
 
 TEST(TableCsvTest, IntervalsFillTheirTwoColumns) {

@@ -67,6 +67,7 @@ std::vector<WbcInstance> random_instances(int count, std::mt19937_64& random) {
     instance.reference.com = {instance.m.p_com + vec3(0.05), vec3(0.5), vec3(2.0)};
     instance.reference.R_WB = Eigen::AngleAxisd(0.2 * uniform(random), vec3(1.0).normalized()).toRotationMatrix();
     instance.reference.omega = vec3(0.5);
+    instance.reference.alpha = vec3(5.0);
     for (int l = 0; l < kLegs; ++l) {
       instance.reference.foot[l] = {instance.m.foot[l].p + vec3(0.05), vec3(0.5), vec3(5.0)};
       instance.reference.foothold[l] = instance.m.foot[l].p;
