@@ -11,6 +11,7 @@
 #include "observers/factory.h"
 #include "scenarios/data_directory.h"
 #include "scenarios/document.h"
+#include "scenarios/gain_keys.h"
 #include "scenarios/loader.h"
 #include "scenarios/reader.h"
 
@@ -124,7 +125,11 @@ ObserverConfig load_observer(std::string_view specification, const std::string& 
   const Node document = parse_file(profile_file(profile));
   const Node* in_profile = find_in_profile(document, info);
   Node table = in_profile == nullptr ? Node{Table{}, command} : *in_profile;
-  if (colon != std::string_view::npos) merge(table, parse_specification(specification.substr(colon + 1), command));
+  if (colon != std::string_view::npos) {
+    const Node overlay = parse_specification(specification.substr(colon + 1), command);
+    drop_replaced_gains(table, overlay);
+    merge(table, overlay);
+  }
 
   ObserverConfig config{std::string(info.name), in_profile == nullptr ? "-" : profile, {}, {}};
   for (const Entry& e : table_of(table, config.observer)) {
