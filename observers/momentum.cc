@@ -58,4 +58,10 @@ Estimate MomentumObserver::update(const ObserverInput& input) noexcept {
   return estimate;
 }
 
+std::optional<LinearChannel> MomentumObserver::linear(Channel channel) const {
+  if (channel != Channel::kLegTorque) return std::nullopt;
+  const MomentumGains gains{{K_.begin(), K_.begin() + order_}};
+  return LinearChannel{gains, dob::largest_stable_dt(gains)};
+}
+
 }  // namespace dob

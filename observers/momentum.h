@@ -19,6 +19,7 @@
 
 #include <array>
 
+#include "observers/linear_observer.h"
 #include "observers/momentum_gains.h"
 #include "observers/observer.h"
 #include "observers/options.h"
@@ -47,7 +48,7 @@ inline constexpr std::array<std::string_view, 3> kMomentumGainKeys{"gains", "coe
 // either. Throws OptionError.
 MomentumOptions read_momentum_options(const ObserverOptions& options);
 
-class MomentumObserver final : public DisturbanceObserver {
+class MomentumObserver final : public DisturbanceObserver, public LinearObserver {
  public:
   // dt [s] is the tick at which stability is checked. Throws OptionError with the reason: gains that are
   // none, or unstable (continuous, or at the tick) unless allowed.
@@ -60,6 +61,8 @@ class MomentumObserver final : public DisturbanceObserver {
 
   // Non-finite input, dt <= 0 or overflow: kInvalidInput, state and estimate stay as they were.
   Estimate update(const ObserverInput& input) noexcept override;
+
+  std::optional<LinearChannel> linear(Channel channel) const override;
 
  private:
   using State = std::array<Vec12, kMaxMomentumOrder>;  // gamma_1 ... gamma_r [N m]; the rest stays zero
