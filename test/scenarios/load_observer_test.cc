@@ -199,6 +199,11 @@ TEST_F(OwnProfile, ThatDoesNotMentionAnObserverLeavesItItsDefaults) {
   EXPECT_EQ(config.routing.dynamics_18, Routing{}.dynamics_18);
 }
 
+TEST_F(OwnProfile, MayHaveTablesForPluginsThatOnlyTheyLookAt) {
+  EXPECT_EQ(error_in("[plugin.mine]\ngain_rad_s = 20\n"), "no error");
+  EXPECT_EQ(load_observer("momentum", "own").profile, "-");
+}
+
 TEST_F(OwnProfile, IsRefusedAtItsLine) {
   EXPECT_EQ(error_in("\n[momentun]\n"),
             path_ + ":2:2: there is no observer 'momentun'; there are: none, momentum, com_wrench, momentum_com");
