@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <memory>
 #include <numbers>
 #include <set>
@@ -78,16 +80,19 @@ std::string remark(const ChannelAnalysis& a) {
   if (a.stable) return "stable as a continuous filter, but the update is unstable at this tick";
   const MomentumGains& gains = a.linear->gains;
   const MomentumGains reversed{{gains.K.rbegin(), gains.K.rend()}};
-  const std::string which = gains.K == std::vector<double>{17.5, 6.28, 2.25} ? "the paper's gains as printed, " : "";
-  std::string text = fmt::format("{}K = {} rad/s, are unstable: poles {} rad/s", which.empty() ? "the gains " : which,
-                                 gains_text(gains), format_poles(gains));
+  const bool printed = gains.K == std::vector<double>{17.5, 6.28, 2.25};
+  const auto slowest = poles(gains).front();
+  const bool marginal = std::abs(slowest.real()) < 1e-9 * std::abs(slowest);
+  std::string text = fmt::format(
+      "{}K = {} rad/s, are {}: poles {} rad/s", printed ? "the paper's gains as printed, " : "the gains ",
+      gains_text(gains), marginal ? "marginal, an oscillation that never decays" : "unstable", format_poles(gains));
   if (routh(reversed).stable) {
     text += fmt::format(
         "; in reversed order, K = {} rad/s, they are stable, -3 dB at {:.3f} Hz ({:.3g} rad/s), natural "
         "frequency {:.3f} Hz",
         gains_text(reversed), to_Hz(bandwidth(reversed)), bandwidth(reversed), to_Hz(natural_frequency(reversed)));
   } else if (reversed.K != gains.K) {
-    text += "; in reversed order they are unstable, too";
+    text += "; in reversed order they are not stable either";
   }
   return text;
 }
