@@ -14,8 +14,8 @@ ObserverInput FrozenRobot::advance(double dt) noexcept {
   move(*now_);
   return {.start = *start_,
           .now = *now_,
-          .joint_torque = torque_error,
-          .foot_force = force_error,
+          .joint_torque = Vec12::Zero(),
+          .foot_force = Vec12::Zero(),
           .stance = {false, false, false, false},
           .dt = dt};
 }

@@ -1,8 +1,8 @@
 // An ideal plant for any observer: the robot's own mass matrix and Jacobians at one pose, frozen there, in free fall.
 // Linear and exact,
-//     M_q d(qd)/dt = tau + F,   m d(c_dot)/dt = -m g e_z + f_d,   I_c d(omega)/dt = m_d,
-// everything constant over a tick. What an observer makes of F, f_d and m_d is its own doing, not that of a gait, a
-// contact or a changing inertia.
+//     M_q d(qd)/dt = F,   m d(c_dot)/dt = -m g e_z + f_d,   I_c d(omega)/dt = m_d,
+// joint torques zero, everything constant over a tick. What an observer makes of F, f_d and m_d is its own doing, not
+// that of a gait, a contact or a changing inertia.
 //
 // The model terms agree with one another in everything that depends on velocity: rho, p_q, p_b, v_c, L, the velocities
 // of base, joints, feet and contact points. Terms quadratic in velocity are zero (the pose does not move), link
@@ -19,10 +19,8 @@ namespace dob {
 
 class FrozenRobot {
  public:
-  Vec12 leg_torque = Vec12::Zero();    // [N m] F, unknown to the observer
-  Vec6 com_wrench = Vec6::Zero();      // [N; N m] f_d, m_d about the CoM along W, unknown to it
-  Vec12 torque_error = Vec12::Zero();  // [N m] of the measured joint torque, which is tau = 0
-  Vec12 force_error = Vec12::Zero();   // [N] of the measured ground reaction forces, which are 0
+  Vec12 leg_torque = Vec12::Zero();  // [N m] F, unknown to the observer
+  Vec6 com_wrench = Vec6::Zero();    // [N; N m] f_d, m_d about the CoM along W, unknown to it
 
   // `pose`: terms of a robot at rest.
   explicit FrozenRobot(const ModelTerms& pose);

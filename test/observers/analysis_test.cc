@@ -117,6 +117,57 @@ TEST_F(AnalysisTest, LooksAtEveryChannelWithItsOwnGain) {
   EXPECT_TRUE(open("none", {}).empty());
 }
 
+// A momentum observer whose estimate is altered tick by tick.
+class Altered final : public DisturbanceObserver {
+ public:
+  using Alter = double (*)(double estimate, long tick);
+  explicit Altered(Alter alter) : alter_(alter), inner_(make_observer("momentum", {{"gains", 20.0}}, kTick)) {}
+  std::string_view name() const noexcept override { return "altered"; }
+  void reset(const ModelTerms& now) noexcept override { inner_->reset(now); }
+  Estimate update(const ObserverInput& input) noexcept override {
+    Estimate estimate = inner_->update(input);
+    ++tick_;
+    for (double& torque : estimate.leg_torque) torque = alter_(torque, tick_);
+    return estimate;
+  }
+
+ private:
+  Alter alter_;
+  std::unique_ptr<DisturbanceObserver> inner_;
+  long tick_ = 0;
+};
+
+TEST_F(AnalysisTest, OfAnObserverThatNeverAnswersHasNoFiguresButItsGainOfZero) {
+  const auto make = [](double) { return std::make_unique<Altered>([](double, long) { return 0.0; }); };
+  const ChannelAnalysis a = analyse(make, pose, kTick).at(0);
+  EXPECT_EQ(a.static_gain, 0.0);
+  EXPECT_FALSE(a.bandwidth || a.delay || a.overshoot || a.settling_time || a.noise_gain);
+}
+
+TEST_F(AnalysisTest, OfAnObserverThatChattersByAPercentIsThatOfItsMean) {
+  const auto chatter = [](double y, long k) { return y + (k % 2 == 0 ? 0.05 : -0.05); };  // of 5 N m
+  const ChannelAnalysis a = analyse([&](double) { return std::make_unique<Altered>(chatter); }, pose, kTick).at(0);
+  EXPECT_TRUE(a.stable);
+  EXPECT_NEAR(*a.static_gain, 1.0, 1e-3);
+  EXPECT_NEAR(*a.bandwidth, 20.0, 0.4);
+  EXPECT_NEAR(*a.delay, 0.05, 2e-3);
+}
+
+TEST_F(AnalysisTest, OfAnObserverWithAStaticGainOtherThanOneIsRelativeToIt) {
+  const auto make = [](double) { return std::make_unique<Altered>([](double y, long) { return 0.8 * y; }); };
+  const ChannelAnalysis a = analyse(make, pose, kTick).at(0);
+  EXPECT_NEAR(*a.static_gain, 0.8, 1e-5);
+  EXPECT_NEAR(*a.bandwidth, 20.0, 0.4);
+  EXPECT_NEAR(*a.delay, 0.05, 1e-3);
+  EXPECT_NEAR(*a.overshoot, 0.0, 1e-5);
+}
+
+TEST_F(AnalysisTest, OfAnObserverThatRefusesItsInputIsUnstable) {
+  const auto make = [](double) { return std::make_unique<Altered>([](double y, long k) { return k > 20 ? NAN : y; }); };
+  const ChannelAnalysis a = analyse(make, pose, kTick).at(0);
+  EXPECT_FALSE(a.stable || a.discrete_stable || a.bandwidth);
+}
+
 TEST_F(AnalysisTest, WorksForEveryObserver) {
   for (const ObserverInfo& info : built_in_observers()) {
     for (const ChannelAnalysis& a : analyse([&](double dt) { return info.make({}, dt); }, pose, kTick)) {
