@@ -2,7 +2,7 @@
 JOBS ?= $(shell nproc)
 WERROR ?= $(if $(DOB_WERROR),$(DOB_WERROR),OFF)
 
-.PHONY: run test build setup batch-smoke format clean
+.PHONY: run test build setup batch-smoke order-study format clean
 
 run: build
 	build/bin/dobbench run --jobs $(JOBS)
@@ -27,6 +27,11 @@ batch-smoke: build
 	cmp build/smoke/one.json build/smoke/two.json
 	sort build/smoke/one/cells.jsonl > build/smoke/one.cells
 	sort build/smoke/two/cells.jsonl | cmp - build/smoke/one.cells
+
+# Section 5.2 of the paper: observers of order 1 to 5 (docs/order-study.md).
+order-study: build
+	rm -rf build/order-study
+	bench/order_study.sh build/order-study $(JOBS)
 
 format:
 	git ls-files '*.h' '*.cc' | xargs clang-format -i

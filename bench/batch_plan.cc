@@ -1,5 +1,6 @@
 #include "bench/batch_plan.h"
 
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
@@ -36,6 +37,14 @@ void require_runnable(const Scenario& scenario) {
   }
 }
 
+// Two plugins of one name would share their rows.
+void require_one_meaning(const ObserverConfig& observer, std::map<std::string, std::string>& called) {
+  const auto [it, added] = called.emplace(observer.label, observer.observer);
+  if (added || it->second == observer.observer) return;
+  throw InputError(fmt::format("--observer {} and --observer {} are both called '{}' in the tables", it->second,
+                               observer.observer, observer.label));
+}
+
 }  // namespace
 
 BatchPlan plan_batch(const BatchRequest& request) {
@@ -44,6 +53,7 @@ BatchPlan plan_batch(const BatchRequest& request) {
   const std::vector<std::string> gain_sets = request.gains.empty() ? std::vector<std::string>{"paper"} : request.gains;
   const std::string overrides = fmt::format("{}", fmt::join(request.overrides, "; "));
   std::set<CellKey> planned;
+  std::map<std::string, std::string> called;  // label in the tables -> observer
   for (const std::string& name : or_all_scenarios(request.scenarios)) {
     for (const std::string& gains : gain_sets) {
       const ScenarioRequest wanted{name, gains, request.planner, request.overrides};
@@ -56,11 +66,12 @@ BatchPlan plan_batch(const BatchRequest& request) {
         for (const std::string& specification : or_all_observers(request.observers)) {
           for (const std::string& profile : profiles) {
             const ObserverConfig observer = load_observer(specification, profile, scenario.sim.dt);
+            require_one_meaning(observer, called);
             for (int seed = request.first_seed; seed <= request.last_seed; ++seed) {
-              const CellKey key{scenario.name, scenario.variant,
-                                specification, observer.profile,
-                                gains,         std::string(to_string(scenario.planner.kind)),
-                                overrides,     seed};
+              const CellKey key{scenario.name,  scenario.variant,
+                                observer.label, observer.profile,
+                                gains,          std::string(to_string(scenario.planner.kind)),
+                                overrides,      seed};
               if (!planned.insert(key).second) continue;
               plan.cells.push_back({key, plan.scenarios.size() - 1, observer});
             }

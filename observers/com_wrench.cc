@@ -68,4 +68,11 @@ Estimate ComWrenchObserver::update(const ObserverInput& input) noexcept {
   return estimate;
 }
 
+// The update is that of a momentum observer of order 1.
+std::optional<LinearChannel> ComWrenchObserver::linear(Channel channel) const {
+  if (channel == Channel::kLegTorque) return std::nullopt;
+  const MomentumGains gains{{channel == Channel::kComForce ? G_[0] : G_[3]}};
+  return LinearChannel{gains, dob::largest_stable_dt(gains)};
+}
+
 }  // namespace dob

@@ -18,6 +18,7 @@
 // trusts the measured ground reaction forces of ALL feet at the contact points of level ground (model_terms.h).
 #pragma once
 
+#include "observers/linear_observer.h"
 #include "observers/observer.h"
 #include "observers/options.h"
 
@@ -31,7 +32,7 @@ struct ComWrenchOptions {
 // Keys: linear_gain_rad_s, angular_gain_rad_s. Throws OptionError.
 ComWrenchOptions read_com_wrench_options(const ObserverOptions& options);
 
-class ComWrenchObserver final : public DisturbanceObserver {
+class ComWrenchObserver final : public DisturbanceObserver, public LinearObserver {
  public:
   // dt [s] is the tick at which stability is checked. Throws OptionError with the reason: gains that are none, or
   // unstable at the tick.
@@ -45,6 +46,8 @@ class ComWrenchObserver final : public DisturbanceObserver {
   // Non-finite input, dt <= 0 or overflow: kInvalidInput, state and estimate stay as they were. Joint torques are not
   // used, and may be anything.
   Estimate update(const ObserverInput& input) noexcept override;
+
+  std::optional<LinearChannel> linear(Channel channel) const override;
 
  private:
   Vec6 G_;                     // [rad/s]

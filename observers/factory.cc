@@ -10,6 +10,7 @@
 #include "observers/momentum.h"
 #include "observers/none.h"
 #include "observers/pair.h"
+#include "observers/plugin.h"
 
 namespace dob {
 namespace {
@@ -64,6 +65,7 @@ std::unique_ptr<DisturbanceObserver> make_observer(std::string_view name, const 
   const auto found =
       std::find_if(kBuiltIn.begin(), kBuiltIn.end(), [&](const auto& info) { return info.name == name; });
   if (found != kBuiltIn.end()) return found->make(options, dt);
+  if (is_plugin_path(name)) return make_from_plugin(name, options, dt);
   std::array<std::string_view, kBuiltIn.size()> names;
   std::transform(kBuiltIn.begin(), kBuiltIn.end(), names.begin(), [](const auto& info) { return info.name; });
   throw OptionError(fmt::format("no observer \"{}\"; there are: {}", name, fmt::join(names, ", ")));

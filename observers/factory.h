@@ -1,4 +1,4 @@
-// The built-in observers by name: one explicit table, nothing registers itself.
+// Observers by name: one explicit table of the built-in ones, nothing registers itself; or by the path of a plugin.
 #pragma once
 
 #include <memory>
@@ -21,8 +21,8 @@ struct ObserverInfo {
 
 std::span<const ObserverInfo> built_in_observers() noexcept;
 
-// The observer of that name, ready for ticks of dt [s]. Throws OptionError: no such observer (what() lists
-// those there are), or an option that it does not take.
+// The observer of that name or plugin (plugin.h), ready for ticks of dt [s]. Throws OptionError: no such observer
+// (what() lists those there are), or an option that it does not take.
 std::unique_ptr<DisturbanceObserver> make_observer(std::string_view name, const ObserverOptions& options, double dt);
 
 }  // namespace dob

@@ -9,7 +9,6 @@ namespace dob {
 namespace {
 
 constexpr std::string_view kName = "momentum";
-constexpr double kLargestGain = 1e6;  // [rad/s], far above what any tick holds
 
 MomentumGains checked_gains(const MomentumOptions& options, double dt) {
   if (!std::isfinite(dt) || dt <= 0.0) throw OptionError(kName, "dt", dt, "allowed is a finite tick > 0 s");
@@ -25,23 +24,6 @@ MomentumGains checked_gains(const MomentumOptions& options, double dt) {
 }
 
 }  // namespace
-
-MomentumOptions read_momentum_options(const ObserverOptions& options) {
-  OptionReader reader(kName, options);
-  MomentumOptions result;
-  result.gains.K = reader.list("gains", result.gains.K, {.above = 0.0, .max = kLargestGain}, kMaxMomentumOrder);
-  const int count = static_cast<int>(result.gains.K.size());
-  const int order = reader.integer("order", count, 1, kMaxMomentumOrder);
-  result.gain_scale = reader.number("gain_scale", result.gain_scale, {.above = 0.0, .max = kLargestGain});
-  if (reader.choice("coriolis", {"exact", "neglected"}) == "neglected") result.coriolis = Coriolis::kNeglected;
-  result.allow_unstable = reader.flag("allow_unstable", result.allow_unstable);
-  reader.refuse_unknown();
-  if (order != count) {
-    throw OptionError(kName, "order", static_cast<double>(order),
-                      fmt::format("it needs as many gains K_1;...;K_{}, there are {}", order, count));
-  }
-  return result;
-}
 
 MomentumObserver::MomentumObserver(const MomentumOptions& options, double dt) : coriolis_(options.coriolis) {
   const MomentumGains gains = checked_gains(options, dt);
@@ -74,6 +56,12 @@ Estimate MomentumObserver::update(const ObserverInput& input) noexcept {
   estimate.leg_torque = gamma_[order_ - 1];
   estimate.status = valid ? EstimateStatus::kOk : EstimateStatus::kInvalidInput;
   return estimate;
+}
+
+std::optional<LinearChannel> MomentumObserver::linear(Channel channel) const {
+  if (channel != Channel::kLegTorque) return std::nullopt;
+  const MomentumGains gains{{K_.begin(), K_.begin() + order_}};
+  return LinearChannel{gains, dob::largest_stable_dt(gains)};
 }
 
 }  // namespace dob

@@ -19,6 +19,7 @@
 
 #include <array>
 
+#include "observers/linear_observer.h"
 #include "observers/momentum_gains.h"
 #include "observers/observer.h"
 #include "observers/options.h"
@@ -36,11 +37,18 @@ struct MomentumOptions {
   bool allow_unstable = false;  // use the gains even if check_stability() refuses them
 };
 
-// Keys: order (whole number, must agree with gains), gains (list [rad/s]), gain_scale, coriolis ("exact" |
-// "neglected"), allow_unstable (bool). An order other than the default's needs its gains. Throws OptionError.
+// The ways to give the gains, of which an observer takes one.
+inline constexpr std::array<std::string_view, 3> kMomentumGainKeys{"gains", "coefficients", "family"};
+
+// Keys: coriolis ("exact" | "neglected"), allow_unstable (bool), and for the gains ONE of
+//     gains            K_1;...;K_r [rad/s] (the default's, if nothing is said)
+//     coefficients     c_0;...;c_(r-1) of (5) [(rad/s)^(r-j)]; unit static gain needs k_0 = c_0, so k_0 is not asked
+//     for family           "bessel" | "butterworth" | "binomial", with order and bandwidth_rad_s (-3 dB)
+// order (whole number) may stand beside gains and coefficients and must agree with them; gain_scale multiplies all K of
+// either. Throws OptionError.
 MomentumOptions read_momentum_options(const ObserverOptions& options);
 
-class MomentumObserver final : public DisturbanceObserver {
+class MomentumObserver final : public DisturbanceObserver, public LinearObserver {
  public:
   // dt [s] is the tick at which stability is checked. Throws OptionError with the reason: gains that are
   // none, or unstable (continuous, or at the tick) unless allowed.
@@ -53,6 +61,8 @@ class MomentumObserver final : public DisturbanceObserver {
 
   // Non-finite input, dt <= 0 or overflow: kInvalidInput, state and estimate stay as they were.
   Estimate update(const ObserverInput& input) noexcept override;
+
+  std::optional<LinearChannel> linear(Channel channel) const override;
 
  private:
   using State = std::array<Vec12, kMaxMomentumOrder>;  // gamma_1 ... gamma_r [N m]; the rest stays zero

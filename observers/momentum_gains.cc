@@ -78,15 +78,6 @@ std::vector<double> sign_changes(const std::vector<double>& p, double lo, double
   return roots;
 }
 
-std::string describe_poles(const MomentumGains& gains) {
-  std::vector<std::string> parts;
-  for (const Complex& p : poles(gains)) {
-    if (p.imag() > 0.0) parts.push_back(fmt::format("{:+.3g} +- {:.3g}j", p.real(), p.imag()));
-    if (p.imag() == 0.0) parts.push_back(fmt::format("{:+.3g}", p.real()));
-  }
-  return fmt::format("{}", fmt::join(parts, ", "));
-}
-
 }  // namespace
 
 std::string check_gains(const MomentumGains& gains) {
@@ -151,6 +142,15 @@ std::vector<Complex> poles(const MomentumGains& gains) {
   return p;
 }
 
+std::string format_poles(const MomentumGains& gains) {
+  std::vector<std::string> parts;
+  for (const Complex& p : poles(gains)) {
+    if (p.imag() > 0.0) parts.push_back(fmt::format("{:+.3g} +- {:.3g}j", p.real(), p.imag()));
+    if (p.imag() == 0.0) parts.push_back(fmt::format("{:+.3g}", p.real()));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 RouthArray routh(const MomentumGains& gains) {
   std::vector<double> c = coefficients(gains);
   c.push_back(1.0);
@@ -205,7 +205,7 @@ double largest_stable_dt(const MomentumGains& gains) {
 
 std::string check_stability(const MomentumGains& gains, double dt) {
   if (!routh(gains).stable) {
-    return fmt::format("unstable as a continuous filter: poles {} rad/s", describe_poles(gains));
+    return fmt::format("unstable as a continuous filter: poles {} rad/s", format_poles(gains));
   }
   if (!stable_at(gains, dt)) {
     return fmt::format("unstable at the tick of {:.4g} ms: spectral radius {:.4g}; largest stable tick {:.4g} ms",

@@ -45,6 +45,9 @@ double bandwidth(const MomentumGains& gains);
 // Poles of G(s) [rad/s], sorted by real part, then by imaginary part, descending.
 std::vector<std::complex<double>> poles(const MomentumGains& gains);
 
+// For messages, [rad/s]: "+2.01 +- 5.95j, -6.28".
+std::string format_poles(const MomentumGains& gains);
+
 // Routh's array of the denominator, from s^r down. It ends early at a zero in the first column, which is
 // never stable.
 struct RouthArray {

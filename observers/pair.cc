@@ -41,6 +41,11 @@ Estimate PairObserver::update(const ObserverInput& input) noexcept {
   return both;
 }
 
+std::optional<LinearChannel> PairObserver::linear(Channel channel) const {
+  const auto* part = dynamic_cast<const LinearObserver*>(channel == Channel::kLegTorque ? legs_.get() : com_.get());
+  return part == nullptr ? std::nullopt : part->linear(channel);
+}
+
 std::unique_ptr<DisturbanceObserver> make_pair_observer(std::string_view name, MakeObserver legs, MakeObserver com,
                                                         const ObserverOptions& options, double dt) {
   for (const auto& [key, value] : options) {

@@ -5,12 +5,13 @@
 #include <memory>
 #include <string>
 
+#include "observers/linear_observer.h"
 #include "observers/observer.h"
 #include "observers/options.h"
 
 namespace dob {
 
-class PairObserver final : public DisturbanceObserver {
+class PairObserver final : public DisturbanceObserver, public LinearObserver {
  public:
   // Both must be there.
   PairObserver(std::string_view name, std::unique_ptr<DisturbanceObserver> legs,
@@ -23,6 +24,9 @@ class PairObserver final : public DisturbanceObserver {
   // kInvalidInput if either says so. An input that only one of them refuses (they need not read the same measurements)
   // moves the other one on.
   Estimate update(const ObserverInput& input) noexcept override;
+
+  // That of the part which estimates the channel.
+  std::optional<LinearChannel> linear(Channel channel) const override;
 
  private:
   std::string name_;

@@ -1,6 +1,7 @@
 // Observers from profiles and from the command line.
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,8 +10,10 @@
 #include <fmt/ranges.h>
 
 #include "observers/factory.h"
+#include "observers/plugin.h"
 #include "scenarios/data_directory.h"
 #include "scenarios/document.h"
+#include "scenarios/gain_keys.h"
 #include "scenarios/loader.h"
 #include "scenarios/reader.h"
 
@@ -18,6 +21,7 @@ namespace dob {
 namespace {
 
 constexpr const char* kRouting = "routing";
+constexpr const char* kPlugins = "plugin";
 constexpr std::array<Choice<Routing::Swing>, 3> kSwing{
     {{"off", Routing::Swing::kOff}, {"projected", Routing::Swing::kProjected}, {"direct", Routing::Swing::kDirect}}};
 constexpr std::array<Choice<Routing::WrenchSource>, 3> kWrenchSource{
@@ -25,7 +29,12 @@ constexpr std::array<Choice<Routing::WrenchSource>, 3> kWrenchSource{
      {"stance_legs", Routing::WrenchSource::kStanceLegs},
      {"all_legs", Routing::WrenchSource::kAllLegs}}};
 
-const ObserverInfo& find_observer(std::string_view name, const Place& place) {
+ObserverInfo find_observer(std::string_view name, const Place& place) {
+  try {
+    if (is_plugin_path(name)) return load_plugin(name);
+  } catch (const OptionError& error) {
+    throw InputError(place, "", error.what());
+  }
   const auto observers = built_in_observers();
   const auto it = std::find_if(observers.begin(), observers.end(), [&](const auto& info) { return info.name == name; });
   if (it != observers.end()) return *it;
@@ -67,13 +76,16 @@ Node parse_specification(std::string_view text, const Place& place) {
   return document;
 }
 
-// The observer's table in the profile. Every table of the profile has to be an observer's.
-const Node* find_in_profile(const Node& profile, const ObserverInfo& info) {
+// The observer's table in the profile: [NAME], or [plugin.NAME]. Every other table has to be a built-in observer's.
+const Node* find_in_profile(const Node& profile, const ObserverInfo& info, bool plugin) {
   for (const Entry& e : table_of(profile, "")) {
     table_of(e.node, e.key);
+    if (e.key == kPlugins) continue;
     if (!estimates(find_observer(e.key, e.node.place)))
       throw InputError(e.node.place, e.key, "this observer estimates nothing; a profile has nothing to say about it");
   }
+  const Node* plugins = profile.find(kPlugins);
+  if (plugin) return plugins == nullptr ? nullptr : plugins->find(info.name);
   return profile.find(info.name);
 }
 
@@ -119,7 +131,9 @@ Routing read_routing(const Node& node, const std::string& path) {
 ObserverConfig load_observer(std::string_view specification, const std::string& profile, double dt) {
   const std::size_t colon = specification.find(':');
   const Place command{fmt::format("--observer {}", specification)};
-  const ObserverInfo& info = find_observer(specification.substr(0, colon), command);
+  const std::string_view asked = specification.substr(0, colon);
+  const bool plugin = is_plugin_path(asked);
+  const ObserverInfo info = find_observer(asked, command);
   const std::vector<std::string> profiles = profile_names();
   if (std::find(profiles.begin(), profiles.end(), profile) == profiles.end()) {
     throw InputError({"--profile"}, "",
@@ -127,11 +141,16 @@ ObserverConfig load_observer(std::string_view specification, const std::string& 
   }
 
   const Node document = parse_file(profile_file(profile));
-  const Node* in_profile = find_in_profile(document, info);
+  const Node* in_profile = find_in_profile(document, info, plugin);
   Node table = in_profile == nullptr ? Node{Table{}, command} : *in_profile;
-  if (colon != std::string_view::npos) merge(table, parse_specification(specification.substr(colon + 1), command));
+  if (colon != std::string_view::npos) {
+    const Node overlay = parse_specification(specification.substr(colon + 1), command);
+    drop_replaced_gains(table, overlay);
+    merge(table, overlay);
+  }
 
-  ObserverConfig config{std::string(info.name), in_profile == nullptr ? "-" : profile, {}, {}};
+  ObserverConfig config{std::string(info.name), in_profile == nullptr ? "-" : profile, {}, {}, std::string(info.name)};
+  if (colon != std::string_view::npos) config.label += specification.substr(colon);
   for (const Entry& e : table_of(table, config.observer)) {
     const std::string key = fmt::format("{}.{}", config.observer, e.key);
     if (e.key != kRouting) {
@@ -142,6 +161,7 @@ ObserverConfig load_observer(std::string_view specification, const std::string& 
       throw InputError(e.node.place, key, "this observer estimates nothing that could be routed");
     }
   }
+  if (plugin) config.observer = std::filesystem::absolute(asked).string();
   try {
     make_observer(config.observer, config.options, dt);
   } catch (const OptionError& error) {

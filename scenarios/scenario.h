@@ -64,10 +64,11 @@ struct Scenario {
 
 // An observer as one cell of the batch uses it: gains and routing come from a profile, then from the command line.
 struct ObserverConfig {
-  std::string observer;  // name in the factory
+  std::string observer;  // name in the factory, or the absolute path of a plugin
   std::string profile;   // "-" for an observer that has no gains and no routing
   ObserverOptions options;
   Routing routing;
+  std::string label = {};  // what tables call it: the specification, with a plugin's own name in place of its path
 };
 
 }  // namespace dob

@@ -86,6 +86,67 @@ TEST_F(CommandLine, BadInputIsRefusedWithItsPlaceAndNothingIsWritten) {
   expect_refused("table nowhere", {"nowhere"});
 }
 
+TEST_F(CommandLine, APluginThatCannotBeUsedIsRefusedInOneLine) {
+  const std::string plugins = DOB_PLUGIN_DIR;
+  const auto run = [&](const std::string& name) { return "run undisturbed --observer '" + plugins + "/" + name + "'"; };
+  expect_refused("run undisturbed --observer missing.so", {"--observer missing.so", "there is no such file"});
+  expect_refused(run("no_entry.so"), {"no_entry.so", "exports no function dob_observer_plugin()"});
+  expect_refused(run("old_interface.so"), {"old_interface.so", "interface 0, this program needs 1"});
+  expect_refused(run("other_layout.so"), {"other_layout.so", "ModelTerms of size"});
+  expect_refused(run("throws.so"), {"throws.so", "its factory threw: out of ideas"});
+  expect_refused(run("unresolved.so"), {"unresolved.so", "undefined symbol"});
+  expect_refused(run("first_order.so:gian=1"), {"first_order", "gian", "gain_rad_s"});
+  expect_refused("analyse '" + plugins + "/throws.so'", {"throws.so", "out of ideas"});
+  expect_refused(run("first_order.so") + " --observer '" + plugins + "/first_order_twin.so'",
+                 {"first_order_twin.so", "both called 'first_order'"});
+}
+
+TEST_F(CommandLine, APluginIsARowUnderItsOwnName) {
+  const std::string file = std::string(DOB_PLUGIN_DIR) + "/first_order.so";
+  ASSERT_EQ(dobbench("run undisturbed --set duration_s=0.3 --observer '" + file + "' --observer '" + file +
+                     ":gain_rad_s=20' --jobs 2 --out run")
+                .exit_code,
+            0);
+  const auto rows = nlohmann::json::parse(dobbench("table run --format json").out);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0]["observer"], "first_order");
+  EXPECT_EQ(rows[0]["profile"], "-");
+  EXPECT_EQ(rows[1]["observer"], "first_order:gain_rad_s=20");
+  for (const auto& row : rows) EXPECT_EQ(row["errors"], 0);
+  // Measured from outside, it is the first-order filter that it is.
+  const auto analysis = nlohmann::json::parse(dobbench("analyse --json '" + file + ":gain_rad_s=20'").out);
+  ASSERT_EQ(analysis.size(), 1U);
+  EXPECT_EQ(analysis[0]["method"], "measured");
+  EXPECT_NEAR(analysis[0]["bandwidth_rad_s"].get<double>(), 20.0, 0.4);
+  EXPECT_NEAR(analysis[0]["max_stable_dt_s"].get<double>(), 0.1, 2e-3);
+}
+
+TEST_F(CommandLine, AnalyseSaysThatThePrintedGainsAreUnstableAndWhatTheReversedOrderGives) {
+  const Answer text = dobbench("analyse");
+  EXPECT_EQ(text.exit_code, 0);
+  for (const char* part : {"the paper's gains as printed, K = 17.5; 6.28; 2.25 rad/s, are unstable",
+                           "poles +2.01 +- 5.95j", "in reversed order", "0.573 Hz"}) {
+    EXPECT_NE(text.out.find(part), std::string::npos) << part;
+  }
+  const auto all = nlohmann::json::parse(dobbench("analyse --json").out);
+  const auto& printed = all.back();
+  EXPECT_EQ(printed["stable"], false);
+  EXPECT_EQ(printed["discrete_stable"], false);
+  EXPECT_EQ(printed["routh"]["stable"], false);
+  EXPECT_NEAR(printed["poles"][0][0].get<double>(), 2.013, 1e-3);
+  EXPECT_NEAR(printed["poles"][0][1].get<double>(), 5.945, 1e-3);
+  EXPECT_TRUE(printed["bandwidth_rad_s"].is_null());
+  const auto paper = nlohmann::json::parse(dobbench("analyse momentum --profile paper --json").out);
+  ASSERT_EQ(paper.size(), 1U);
+  EXPECT_NEAR(paper[0]["bandwidth_rad_s"].get<double>(), 3.6, 0.01);
+  for (const char* key : {"poles", "stable", "routh", "delay_s", "overshoot", "settling_time_s", "noise_gain",
+                          "discrete_stable", "max_stable_dt_s"}) {
+    EXPECT_TRUE(paper[0].contains(key)) << key;
+  }
+  expect_refused("analyse 'momentum:gains=17.5;6.28;2.25' --profile paper", {"unstable", "allow_unstable"});
+  expect_refused("analyse --tick 0", {"--tick"});
+}
+
 TEST_F(CommandLine, AScenarioFileIsRefusedWithLineAndColumn) {
   std::ofstream(dir / "mine.toml") << "summary = \"mine\"\nduration_s = 1.0\n\n[gait]\nstance_s = \"long\"\n"
                                       "\n[[path]]\nduration_s = 1.0\nspeed_m_s = 0.1\n";

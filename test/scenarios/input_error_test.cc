@@ -199,10 +199,11 @@ TEST(InputError, MissingFilesAndScenariosAreNamed) {
   std::filesystem::create_directory(directory);
   EXPECT_EQ(error_of({.name = directory}), directory + ": cannot be read; a TOML file is needed");
   EXPECT_EQ(error_of({.name = "case9"}),
-            "scenario: there is no 'case9'; there are: case1, crawl, random_push, undisturbed");
-  EXPECT_EQ(error_of({.name = ""}), "scenario: there is no ''; there are: case1, crawl, random_push, undisturbed");
+            "scenario: there is no 'case9'; there are: case1, crawl, order_study, random_push, undisturbed");
+  EXPECT_EQ(error_of({.name = ""}),
+            "scenario: there is no ''; there are: case1, crawl, order_study, random_push, undisturbed");
   EXPECT_EQ(error_of({.name = "../scenarios/case1"}),
-            "scenario: there is no '..'; there are: case1, crawl, random_push, undisturbed");
+            "scenario: there is no '..'; there are: case1, crawl, order_study, random_push, undisturbed");
 }
 
 TEST(InputError, VariantsAreNamed) {

@@ -116,6 +116,17 @@ TEST(LoadObserver, LaysTheSpecificationOverTheProfile) {
   EXPECT_EQ(config.routing.wrench_source, Routing::WrenchSource::kAllLegs);
 }
 
+TEST(LoadObserver, GainsGivenInAnotherWayReplaceThoseOfTheProfile) {
+  const std::string family = "family=bessel,order=2,bandwidth_rad_s=30";
+  EXPECT_NEAR(bandwidth(gains_of(load_observer("momentum:" + family, "matched"))), 30.0, 1e-9);  // not 20 times that
+  const ObserverConfig pair =
+      load_observer("momentum_com:legs.family=binomial,legs.order=1,legs.bandwidth_rad_s=7", "matched");
+  EXPECT_EQ(pair.options.count("legs.gains"), 0u);
+  EXPECT_EQ(pair.options.count("com.linear_gain_rad_s"), 1u);
+  EXPECT_THAT(gains_of(load_observer("momentum:coefficients=6;5", "paper")).K, ElementsAre(6.0 / 5.0, 5.0));
+  EXPECT_THAT(error_of("momentum:gains=1;2," + family), HasSubstr("gains is given as well"));
+}
+
 TEST(LoadObserver, LaysOptionsOfThePartsOfAPairOverTheProfile) {
   const ObserverConfig config =
       load_observer("momentum_com:legs.gain_scale=10,com.linear_gain_rad_s=50,routing.torque_36=false", "matched");
@@ -192,6 +203,11 @@ TEST_F(OwnProfile, ThatDoesNotMentionAnObserverLeavesItItsDefaults) {
   EXPECT_EQ(config.profile, "-");
   EXPECT_THAT(gains_of(config).K, ElementsAre(4.5, 12.56, 35.0));
   EXPECT_EQ(config.routing.dynamics_18, Routing{}.dynamics_18);
+}
+
+TEST_F(OwnProfile, MayHaveTablesForPluginsThatOnlyTheyLookAt) {
+  EXPECT_EQ(error_in("[plugin.mine]\ngain_rad_s = 20\n"), "no error");
+  EXPECT_EQ(load_observer("momentum", "own").profile, "-");
 }
 
 TEST_F(OwnProfile, IsRefusedAtItsLine) {

@@ -28,16 +28,18 @@ Scenario load_text(const ScratchFiles& files, const std::string& text) {
 
 TEST(ShippedScenarios, AreListedWithTheirVariants) {
   const std::vector<ScenarioInfo> list = list_scenarios();
-  ASSERT_EQ(list.size(), 4u);
+  ASSERT_EQ(list.size(), 5u);
   EXPECT_EQ(list[0].name, "case1");
   EXPECT_THAT(list[0].variants, ElementsAre("knee_lateral", "tip_lateral", "knee_sagittal", "tip_sagittal"));
   EXPECT_EQ(list[1].name, "crawl");
   EXPECT_THAT(list[1].variants, ElementsAre("undisturbed", "knee_lateral", "tip_lateral", "random_push"));
-  EXPECT_EQ(list[2].name, "random_push");
-  EXPECT_EQ(list[3].name, "undisturbed");
-  EXPECT_THAT(list[3].variants, ElementsAre());
-  EXPECT_EQ(list[3].summary, "120 s straight trot, no disturbance");
-  EXPECT_TRUE(std::filesystem::is_regular_file(list[3].path));
+  EXPECT_EQ(list[2].name, "order_study");
+  EXPECT_THAT(list[2].variants, ElementsAre("standing", "trotting"));
+  EXPECT_EQ(list[3].name, "random_push");
+  EXPECT_EQ(list[4].name, "undisturbed");
+  EXPECT_THAT(list[4].variants, ElementsAre());
+  EXPECT_EQ(list[4].summary, "120 s straight trot, no disturbance");
+  EXPECT_TRUE(std::filesystem::is_regular_file(list[4].path));
 }
 
 TEST(ShippedScenarios, AllLoadWithEveryGainSet) {

@@ -1,0 +1,243 @@
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <memory>
+#include <numbers>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include "bench/commands.h"
+#include "observers/analysis.h"
+#include "observers/factory.h"
+#include "robot/standing_pose.h"
+#include "scenarios/loader.h"
+
+namespace dob {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Section 5.1 to the letter.
+constexpr const char* kAsPrinted = "momentum:gains=17.5;6.28;2.25,allow_unstable=true";
+
+struct Arguments {
+  std::vector<std::string> observers;
+  std::vector<std::string> profiles;
+  double tick = 0.0;  // [s] 0: that of the scenarios
+  bool json = false;
+};
+
+struct Row {
+  std::string observer, profile;
+  ChannelAnalysis figures;
+};
+
+std::string channel_name(Channel channel) {
+  switch (channel) {
+    case Channel::kLegTorque:
+      return "legs";
+    case Channel::kComForce:
+      return "com_force";
+    case Channel::kComMoment:
+      return "com_moment";
+  }
+  return "";
+}
+
+const char* unit(Channel channel) {
+  return channel == Channel::kComForce ? "N" : "Nm";
+}
+
+double to_Hz(double rad_s) {
+  return rad_s / (2.0 * std::numbers::pi);
+}
+
+std::string gains_text(const MomentumGains& gains) {
+  return fmt::format("{:.6g}", fmt::join(gains.K, "; "));
+}
+
+// s^3 + 17.5 s^2 + 109.9 s + 247.3
+std::string denominator_text(const std::vector<double>& c) {
+  const auto power = [](std::size_t j) { return j == 0 ? "" : j == 1 ? " s" : fmt::format(" s^{}", j); };
+  std::string text = power(c.size()).substr(1);
+  for (std::size_t j = c.size(); j-- > 0;) text += fmt::format(" + {:.5g}{}", c[j], power(j));
+  return text;
+}
+
+std::vector<double> first_column(const MomentumGains& gains) {
+  std::vector<double> column;
+  for (const auto& row : routh(gains).rows) column.push_back(row.front());
+  return column;
+}
+
+// What the figures mean, in words; empty when there is nothing to warn of.
+std::string remark(const ChannelAnalysis& a) {
+  if (a.discrete_stable) return "";
+  if (!a.linear) return "the answer to a step does not settle at this tick";
+  if (a.stable) return "stable as a continuous filter, but the update is unstable at this tick";
+  const MomentumGains& gains = a.linear->gains;
+  const MomentumGains reversed{{gains.K.rbegin(), gains.K.rend()}};
+  const bool printed = gains.K == std::vector<double>{17.5, 6.28, 2.25};
+  const auto slowest = poles(gains).front();
+  const bool marginal = std::abs(slowest.real()) < 1e-9 * std::abs(slowest);
+  std::string text = fmt::format(
+      "{}K = {} rad/s, are {}: poles {} rad/s", printed ? "the paper's gains as printed, " : "the gains ",
+      gains_text(gains), marginal ? "marginal, an oscillation that never decays" : "unstable", format_poles(gains));
+  if (routh(reversed).stable) {
+    text += fmt::format(
+        "; in reversed order, K = {} rad/s, they are stable, -3 dB at {:.3f} Hz ({:.3g} rad/s), natural "
+        "frequency {:.3f} Hz",
+        gains_text(reversed), to_Hz(bandwidth(reversed)), bandwidth(reversed), to_Hz(natural_frequency(reversed)));
+  } else if (reversed.K != gains.K) {
+    text += "; in reversed order they are not stable either";
+  }
+  return text;
+}
+
+Json to_json(const Row& row, double dt) {
+  const ChannelAnalysis& a = row.figures;
+  const auto or_null = [](const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); };
+  Json json{{"observer", row.observer},
+            {"profile", row.profile},
+            {"channel", channel_name(a.channel)},
+            {"method", a.linear ? "transfer_function" : "measured"},
+            {fmt::format("amplitude_{}", unit(a.channel)), a.amplitude},
+            {"dt_s", dt},
+            {"order", nullptr},
+            {"gains_rad_s", nullptr},
+            {"denominator", nullptr},
+            {"poles", nullptr},
+            {"stable", a.stable},
+            {"routh", nullptr}};
+  if (a.linear) {
+    const MomentumGains& gains = a.linear->gains;
+    Json pole_list = Json::array();
+    for (const auto& p : poles(gains)) pole_list.push_back({p.real(), p.imag()});
+    json["order"] = gains.K.size();
+    json["gains_rad_s"] = gains.K;
+    json["denominator"] = coefficients(gains);
+    json["denominator"].push_back(1.0);
+    json["poles"] = pole_list;
+    json["routh"] = {{"first_column", first_column(gains)}, {"stable", routh(gains).stable}};
+  }
+  json["static_gain"] = or_null(a.static_gain);
+  json["bandwidth_rad_s"] = or_null(a.bandwidth);
+  json["delay_s"] = or_null(a.delay);
+  json["overshoot"] = or_null(a.overshoot);
+  json["settling_time_s"] = or_null(a.settling_time);
+  json["noise_gain"] = or_null(a.noise_gain);
+  json["discrete_stable"] = a.discrete_stable;
+  json["max_stable_dt_s"] = or_null(a.max_stable_dt);
+  json["remark"] = remark(a);
+  return json;
+}
+
+std::string figure(const std::optional<double>& x, double scale, const char* form) {
+  return x ? fmt::format(fmt::runtime(form), scale * *x) : "-";
+}
+
+std::string largest_tick(const ChannelAnalysis& a) {
+  if (!a.max_stable_dt) return "as far as ticks of 1 s";
+  if (*a.max_stable_dt == 0.0) return "at no tick";
+  return fmt::format("up to {:.3g} ms", 1e3 * *a.max_stable_dt);
+}
+
+void print_answer(const ChannelAnalysis& a) {
+  fmt::print("  answer       -3 dB {} Hz, delay {} ms, overshoot {} %, ", figure(a.bandwidth, to_Hz(1.0), "{:.3f}"),
+             figure(a.delay, 1e3, "{:.1f}"), figure(a.overshoot, 1e2, "{:.1f}"));
+  fmt::print("settling (2 %) {} ms, noise gain {}, static gain {}\n", figure(a.settling_time, 1e3, "{:.0f}"),
+             figure(a.noise_gain, 1.0, "{:.4f}"), figure(a.static_gain, 1.0, "{:.3f}"));
+}
+
+void print_row(const Row& row, double dt) {
+  const ChannelAnalysis& a = row.figures;
+  fmt::print("{}, profile {}: {} ({}, step of {:g} {})\n", row.observer, row.profile, channel_name(a.channel),
+             a.linear ? "transfer function" : "measured", a.amplitude, unit(a.channel));
+  if (a.linear) {
+    const MomentumGains& gains = a.linear->gains;
+    const std::vector<double> c = coefficients(gains);
+    fmt::print("  gains        K = {} rad/s, order {}\n", gains_text(gains), gains.K.size());
+    fmt::print("  G(s)         {:.5g} / ({})\n", c[0], denominator_text(c));
+    fmt::print("  poles        {} rad/s\n", format_poles(gains));
+    fmt::print("  Routh        first column {:.4g}: {}\n", fmt::join(first_column(gains), ", "),
+               routh(gains).stable ? "stable" : "NOT stable");
+  }
+  fmt::print("  tick {:g} ms  {}, {}\n", 1e3 * dt, a.discrete_stable ? "stable" : "NOT stable", largest_tick(a));
+  if (a.discrete_stable) print_answer(a);
+  if (const std::string words = remark(a); !words.empty()) fmt::print("  NOTE         {}\n", words);
+  fmt::print("\n");
+}
+
+// The robot of the scenarios' defaults, standing.
+ModelTerms standing_robot(const Scenario& s) {
+  const Model model(load_robot(s.robot.urdf, s.robot.forward));
+  ModelTerms terms;
+  model.compute(standing_pose(model, s.planner.com_height, s.planner.footsteps.foot_offset_x,
+                              s.planner.footsteps.foot_offset_y, s.robot.posture),
+                terms);
+  return terms;
+}
+
+// Every observer of every profile once; the paper's gains as printed beside them when nothing else was asked for.
+std::vector<ObserverConfig> requested(const Arguments& arguments, double dt) {
+  std::vector<std::string> names = arguments.observers;
+  if (names.empty()) {
+    for (const ObserverInfo& info : built_in_observers()) names.emplace_back(info.name);
+  }
+  const std::vector<std::string> profiles = arguments.profiles.empty() ? list_profiles() : arguments.profiles;
+  std::vector<ObserverConfig> configs;
+  std::set<std::pair<std::string, std::string>> seen;
+  const auto add = [&](const std::string& name, const std::string& profile) {
+    ObserverConfig config = load_observer(name, profile, dt);
+    if (seen.emplace(config.label, config.profile).second) configs.push_back(std::move(config));
+  };
+  for (const std::string& name : names) {
+    for (const std::string& profile : profiles) add(name, profile);
+  }
+  const bool paper = std::find(profiles.begin(), profiles.end(), "paper") != profiles.end();
+  if (paper && arguments.observers.empty()) add(kAsPrinted, "paper");
+  return configs;
+}
+
+int run(const Arguments& arguments) {
+  const Scenario scenario = load_scenarios({.name = "undisturbed"}).at(0);
+  const double dt = arguments.tick > 0.0 ? arguments.tick : scenario.sim.dt;
+  const std::vector<ObserverConfig> configs = requested(arguments, dt);
+  const ModelTerms pose = standing_robot(scenario);
+  Json all = Json::array();
+  for (const ObserverConfig& config : configs) {
+    const auto make = [&](double tick) { return make_observer(config.observer, config.options, tick); };
+    const std::vector<ChannelAnalysis> channels = analyse(make, pose, dt);
+    if (channels.empty() && !arguments.json) fmt::print("{}: estimates nothing\n\n", config.label);
+    for (const ChannelAnalysis& figures : channels) {
+      const Row row{config.label, config.profile, figures};
+      if (arguments.json) {
+        all.push_back(to_json(row, dt));
+      } else {
+        print_row(row, dt);
+      }
+    }
+  }
+  if (arguments.json) fmt::print("{}\n", all.dump(2));
+  return kExitOk;
+}
+
+}  // namespace
+
+Command add_analyse_command(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      app.add_subcommand("analyse", "poles, stability, bandwidth, delay, overshoot and noise gain of observers");
+  command->add_option("observer", arguments->observers, "NAME[:key=value,...]; every built-in one by default");
+  command->add_option("--profile", arguments->profiles, "gains of the observers; every one by default")
+      ->allow_extra_args(false);
+  command->add_option("--tick", arguments->tick, "control tick [s] (default: that of the scenarios)")
+      ->check(CLI::Range(1e-6, 1.0));
+  command->add_flag("--json", arguments->json, "as JSON");
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace dob
