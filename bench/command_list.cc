@@ -28,6 +28,7 @@ Json observers() {
                     {"summary", info.summary},
                     {"estimates_legs", info.estimates_legs},
                     {"estimates_com", info.estimates_com},
+                    {"oracle", info.oracle},
                     {"source", info.source}});
   }
   return list;

@@ -16,10 +16,14 @@ struct ObserverInfo {
   std::string_view source;   // where the method comes from
   bool estimates_legs = false;
   bool estimates_com = false;
+  bool oracle = false;  // the trial puts the truth in the place of its estimate: a bound, never ranked
   std::unique_ptr<DisturbanceObserver> (*make)(const ObserverOptions& options, double dt) = nullptr;
 };
 
 std::span<const ObserverInfo> built_in_observers() noexcept;
+
+// nullptr: none of that name.
+const ObserverInfo* find_built_in_observer(std::string_view name) noexcept;
 
 // The observer of that name, ready for ticks of dt [s]. Throws OptionError: no such observer (what() lists
 // those there are), or an option that it does not take.

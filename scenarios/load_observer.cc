@@ -22,11 +22,9 @@ constexpr std::array<Choice<Routing::Swing>, 3> kSwing{
     {{"off", Routing::Swing::kOff}, {"projected", Routing::Swing::kProjected}, {"direct", Routing::Swing::kDirect}}};
 
 const ObserverInfo& find_observer(std::string_view name, const Place& place) {
-  const auto observers = built_in_observers();
-  const auto it = std::find_if(observers.begin(), observers.end(), [&](const auto& info) { return info.name == name; });
-  if (it != observers.end()) return *it;
+  if (const ObserverInfo* info = find_built_in_observer(name)) return *info;
   std::vector<std::string_view> names;
-  for (const ObserverInfo& info : observers) names.push_back(info.name);
+  for (const ObserverInfo& info : built_in_observers()) names.push_back(info.name);
   throw InputError(place, "", fmt::format("there is no observer '{}'; there are: {}", name, fmt::join(names, ", ")));
 }
 

@@ -143,9 +143,9 @@ TEST(LoadObserver, RefusesGainsThatAreUnstableAtTheTick) {
 }
 
 TEST(LoadObserver, RefusesWhatItDoesNotKnow) {
-  EXPECT_EQ(error_of("magic"),
-            "--observer magic: there is no observer 'magic'; there are: none, momentum, com_wrench, momentum_com");
-  EXPECT_EQ(error_of(""), "--observer : there is no observer ''; there are: none, momentum, com_wrench, momentum_com");
+  const std::string names = "; there are: none, momentum, com_wrench, momentum_com, ";
+  EXPECT_THAT(error_of("magic"), StartsWith("--observer magic: there is no observer 'magic'" + names));
+  EXPECT_THAT(error_of(""), StartsWith("--observer : there is no observer ''" + names));
   EXPECT_EQ(error_of("momentum", "mine"), "--profile: there is no 'mine'; there are: matched, paper");
   EXPECT_THAT(error_of("momentum:gian_scale=2"), AllOf(StartsWith("--observer momentum:gian_scale=2: "),
                                                        HasSubstr("gian_scale"), HasSubstr("no such option")));
@@ -189,8 +189,8 @@ TEST_F(OwnProfile, ThatDoesNotMentionAnObserverLeavesItItsDefaults) {
 }
 
 TEST_F(OwnProfile, IsRefusedAtItsLine) {
-  EXPECT_EQ(error_in("\n[momentun]\n"),
-            path_ + ":2:2: there is no observer 'momentun'; there are: none, momentum, com_wrench, momentum_com");
+  EXPECT_THAT(error_in("\n[momentun]\n"),
+              StartsWith(path_ + ":2:2: there is no observer 'momentun'; there are: none, momentum, com_wrench, "));
   EXPECT_EQ(error_in("[none]\n"),
             path_ + ":1:2: none: this observer estimates nothing; a profile has nothing to say about it");
   EXPECT_EQ(error_in("momentum = 1\n"), path_ + ":1:1: momentum: 1; allowed: a table");
