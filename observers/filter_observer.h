@@ -10,8 +10,8 @@
 //       bool finite() const noexcept;                // all of the state
 //       const Vector& estimate() const noexcept;     // mean disturbance over the last interval, filtered
 //     };
-// It treats its N components alike. Whatever is not finite in a residual has to reach the state, where finite() finds
-// it: the state before that step is then kept.
+// It treats its N components alike. The observers keep the state before a step whose residual / dt or whose outcome is
+// not finite, so that a filter need not look at its input.
 #pragma once
 
 #include <memory>
@@ -35,9 +35,10 @@ class LegFilterObserver final : public DisturbanceObserver {
 
   // Non-finite input, dt <= 0 or overflow: kInvalidInput, state and estimate stay as they were.
   Estimate update(const ObserverInput& input) noexcept override {
+    const Vec12 residual = leg_residual(input);
     Filter<kJoints> next = filter_;
-    next.step(leg_residual(input), input.dt);
-    const bool valid = input.dt > 0.0 && next.finite();
+    next.step(residual, input.dt);
+    const bool valid = input.dt > 0.0 && (residual / input.dt).allFinite() && next.finite();
     if (valid) filter_ = next;
     Estimate estimate;
     estimate.has_legs = true;
@@ -80,7 +81,8 @@ class ComFilterObserver final : public DisturbanceObserver {
     Filters next = filters_;
     next.linear.step(residual.head<3>(), input.dt);
     next.angular.step(residual.tail<3>(), input.dt);
-    const bool valid = input.dt > 0.0 && next.linear.finite() && next.angular.finite();
+    const bool valid =
+        input.dt > 0.0 && (residual / input.dt).allFinite() && next.linear.finite() && next.angular.finite();
     if (valid) filters_ = next;
     Estimate estimate;
     estimate.has_com = true;
