@@ -190,6 +190,26 @@ constexpr std::array kBuiltIn{
                  .make = make_oracle_full},
 };
 
+const ObserverInfo& find(std::string_view name) {
+  if (const ObserverInfo* info = find_built_in_observer(name)) return *info;
+  std::array<std::string_view, kBuiltIn.size()> names;
+  std::transform(kBuiltIn.begin(), kBuiltIn.end(), names.begin(), [](const auto& info) { return info.name; });
+  throw OptionError(fmt::format("no observer \"{}\"; there are: {}", name, fmt::join(names, ", ")));
+}
+
+// The observer that a pair has for one of its parts.
+const ObserverInfo& part(std::string_view pair, std::string_view name, bool ObserverInfo::*estimates,
+                         std::string_view part_name) {
+  const ObserverInfo& info = find(name);
+  if (info.*estimates && !info.oracle) return info;
+  std::vector<std::string_view> names;
+  for (const ObserverInfo& other : kBuiltIn) {
+    if (other.*estimates && !other.oracle) names.push_back(other.name);
+  }
+  throw OptionError(
+      fmt::format("observer {}: {} cannot be {}; there are: {}", pair, name, part_name, fmt::join(names, ", ")));
+}
+
 }  // namespace
 
 std::span<const ObserverInfo> built_in_observers() noexcept {
@@ -203,10 +223,12 @@ const ObserverInfo* find_built_in_observer(std::string_view name) noexcept {
 }
 
 std::unique_ptr<DisturbanceObserver> make_observer(std::string_view name, const ObserverOptions& options, double dt) {
-  if (const ObserverInfo* info = find_built_in_observer(name)) return info->make(options, dt);
-  std::array<std::string_view, kBuiltIn.size()> names;
-  std::transform(kBuiltIn.begin(), kBuiltIn.end(), names.begin(), [](const auto& info) { return info.name; });
-  throw OptionError(fmt::format("no observer \"{}\"; there are: {}", name, fmt::join(names, ", ")));
+  if (const auto pair = parse_pair_name(name)) {
+    const ObserverInfo& legs = part(name, pair->legs, &ObserverInfo::estimates_legs, "legs");
+    const ObserverInfo& com = part(name, pair->com, &ObserverInfo::estimates_com, "com");
+    return make_pair_observer(name, legs.make, com.make, options, dt);
+  }
+  return find(name).make(options, dt);
 }
 
 }  // namespace dob

@@ -44,7 +44,7 @@ class KalmanCovariance {
   void step(double dt) noexcept;
 
   double pp = 0.0, pd = 0.0, dd = 0.0;  // [(N m s)^2], [(N m)^2 s], [(N m)^2]
-  double L_p = 0.0, L_d = 0.0;          // [-], [1/s]
+  double L_p = 0.0, L_d = 0.0;          // [-], [1/s] for one step: w^2 dt in continuous time
   double phi = 1.0, s = 0.0;            // [-], [s]
 
  private:

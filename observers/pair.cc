@@ -41,6 +41,17 @@ Estimate PairObserver::update(const ObserverInput& input) noexcept {
   return both;
 }
 
+std::optional<PairName> parse_pair_name(std::string_view name) noexcept {
+  constexpr std::string_view kFirst = "legs=";
+  constexpr std::string_view kSecond = ",com=";
+  const std::size_t comma = name.find(',');
+  if (!name.starts_with(kFirst) || comma == std::string_view::npos || !name.substr(comma).starts_with(kSecond))
+    return {};
+  const PairName pair{name.substr(kFirst.size(), comma - kFirst.size()), name.substr(comma + kSecond.size())};
+  if (pair.com.find(',') != std::string_view::npos) return {};
+  return pair;
+}
+
 std::unique_ptr<DisturbanceObserver> make_pair_observer(std::string_view name, MakeObserver legs, MakeObserver com,
                                                         const ObserverOptions& options, double dt) {
   for (const auto& [key, value] : options) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "observers/observer.h"
@@ -29,6 +30,13 @@ class PairObserver final : public DisturbanceObserver {
   std::unique_ptr<DisturbanceObserver> legs_;
   std::unique_ptr<DisturbanceObserver> com_;
 };
+
+// The name of a pair of observers, `legs=NAME,com=NAME`, in this order; empty when the text is not of that form.
+struct PairName {
+  std::string_view legs;
+  std::string_view com;
+};
+std::optional<PairName> parse_pair_name(std::string_view name) noexcept;
 
 using MakeObserver = std::unique_ptr<DisturbanceObserver> (*)(const ObserverOptions& options, double dt);
 
