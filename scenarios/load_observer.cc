@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "observers/factory.h"
+#include "observers/pair.h"
 #include "scenarios/data_directory.h"
 #include "scenarios/document.h"
 #include "scenarios/loader.h"
@@ -61,14 +62,71 @@ Node parse_specification(std::string_view text, const Place& place) {
   return document;
 }
 
-// The observer's table in the profile. Every table of the profile has to be an observer's.
-const Node* find_in_profile(const Node& profile, const ObserverInfo& info) {
+// Tables of a profile for all observers that estimate the legs, the CoM, or both: their routing. A name of
+// [NAME.routing] goes before it.
+constexpr const char* kOfLegs = "legs";
+constexpr const char* kOfCom = "com";
+constexpr const char* kOfBoth = "pair";
+
+const char* kind_of(const ObserverInfo& info) {
+  if (info.estimates_legs && info.estimates_com) return kOfBoth;
+  return info.estimates_legs ? kOfLegs : kOfCom;
+}
+
+void check_kind(const Node& kind, const std::string& key) {
+  for (const Entry& e : table_of(kind, key)) {
+    if (e.key != kRouting) throw InputError(e.node.place, fmt::format("{}.{}", key, e.key), "allowed: routing only");
+  }
+}
+
+// Every table of a profile has to be an observer's or a kind's.
+void check_profile(const Node& profile) {
   for (const Entry& e : table_of(profile, "")) {
     table_of(e.node, e.key);
-    if (!estimates(find_observer(e.key, e.node.place)))
+    if (e.key == kOfLegs || e.key == kOfCom || e.key == kOfBoth) {
+      check_kind(e.node, e.key);
+    } else if (!estimates(find_observer(e.key, e.node.place))) {
       throw InputError(e.node.place, e.key, "this observer estimates nothing; a profile has nothing to say about it");
+    }
   }
-  return profile.find(info.name);
+}
+
+// What the profile says of an observer: its own table, or those of a pair's parts, over the routing of its kind. Empty
+// when it says nothing.
+Node profile_table(const Node& profile, const ObserverInfo& info, const Place& place) {
+  Node table{Table{}, place};
+  if (!estimates(info)) return table;
+  if (const Node* kind = profile.find(kind_of(info))) table.value = kind->value;
+  if (const auto pair = parse_pair_name(info.name)) {
+    for (const auto& [part, name] : {std::pair(kOfLegs, pair->legs), std::pair(kOfCom, pair->com)}) {
+      const Node* own = profile.find(name);
+      if (own == nullptr) continue;
+      Node options = *own;
+      erase(options, kRouting);
+      if (!table_of(options, part).empty()) set(table, part, options);
+    }
+  } else if (const Node* own = profile.find(info.name)) {
+    merge(table, *own);
+    table.place = own->place;
+  }
+  return table;
+}
+
+// `NAME:options` or `legs=NAME,com=NAME,options`, split into name and options.
+std::pair<std::string_view, std::string_view> split(std::string_view specification) {
+  const bool pair = specification.starts_with(fmt::format("{}=", kOfLegs));
+  std::size_t end = specification.find(pair ? ',' : ':');
+  if (pair && end != std::string_view::npos) end = specification.find(',', end + 1);
+  if (end == std::string_view::npos) return {specification, {}};
+  return {specification.substr(0, end), specification.substr(end + 1)};
+}
+
+ObserverInfo find_observer_or_pair(std::string_view name, const Place& place) {
+  const auto pair = parse_pair_name(name);
+  if (!pair) return find_observer(name, place);
+  find_observer(pair->legs, place);
+  find_observer(pair->com, place);
+  return {.name = name, .estimates_legs = true, .estimates_com = true};
 }
 
 OptionValue option_value(const Node& node, const std::string& key) {
@@ -110,9 +168,9 @@ Routing read_routing(const Node& node, const std::string& path) {
 }  // namespace
 
 ObserverConfig load_observer(std::string_view specification, const std::string& profile, double dt) {
-  const std::size_t colon = specification.find(':');
+  const auto [name, overrides] = split(specification);
   const Place command{fmt::format("--observer {}", specification)};
-  const ObserverInfo& info = find_observer(specification.substr(0, colon), command);
+  const ObserverInfo info = find_observer_or_pair(name, command);
   const std::vector<std::string> profiles = profile_names();
   if (std::find(profiles.begin(), profiles.end(), profile) == profiles.end()) {
     throw InputError({"--profile"}, "",
@@ -120,11 +178,15 @@ ObserverConfig load_observer(std::string_view specification, const std::string& 
   }
 
   const Node document = parse_file(profile_file(profile));
-  const Node* in_profile = find_in_profile(document, info);
-  Node table = in_profile == nullptr ? Node{Table{}, command} : *in_profile;
-  if (colon != std::string_view::npos) merge(table, parse_specification(specification.substr(colon + 1), command));
+  check_profile(document);
+  Node table = profile_table(document, info, command);
+  const bool in_profile = !table_of(table, "").empty();
+  if (!overrides.empty()) {
+    const Node overlay = parse_specification(overrides, command);
+    merge(table, overlay);
+  }
 
-  ObserverConfig config{std::string(info.name), in_profile == nullptr ? "-" : profile, {}, {}};
+  ObserverConfig config{std::string(info.name), in_profile ? profile : "-", {}, {}};
   for (const Entry& e : table_of(table, config.observer)) {
     const std::string key = fmt::format("{}.{}", config.observer, e.key);
     if (e.key != kRouting) {
