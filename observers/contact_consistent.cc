@@ -65,12 +65,9 @@ Estimate ContactConsistentObserver::update(const ObserverInput& input) noexcept 
     legs_ = legs;
     com_ = com;
   }
-  Estimate estimate;
+  Estimate estimate = com_estimate(com_.estimate(), valid);
   estimate.has_legs = true;
   estimate.leg_torque = legs_.estimate();
-  estimate.has_com = true;
-  estimate.com_wrench = com_.estimate();
-  estimate.status = valid ? EstimateStatus::kOk : EstimateStatus::kInvalidInput;
   return estimate;
 }
 

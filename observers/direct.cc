@@ -43,11 +43,7 @@ Estimate DirectObserver::update(const ObserverInput& input) noexcept {
     d_hat_ = next;
     rate_ = next_rate;
   }
-  Estimate estimate;
-  estimate.has_legs = true;
-  estimate.leg_torque = d_hat_;
-  estimate.status = valid ? EstimateStatus::kOk : EstimateStatus::kInvalidInput;
-  return estimate;
+  return leg_estimate(d_hat_, valid);
 }
 
 }  // namespace dob

@@ -121,7 +121,7 @@ constexpr std::array kBuiltIn{
                  .make = make_momentum_com},
     ObserverInfo{.name = "nonlinear_dob",
                  .summary = "nonlinear disturbance observer on the legs' accelerations: forces at the leg tips",
-                 .source = "Dini & Majd 2020, the paper's baseline [24]; Chen et al. 2000",
+                 .source = "Dini & Majd 2019, the paper's baseline [24]; Chen et al. 2000",
                  .estimates_legs = true,
                  .make = make_nonlinear_dob},
     ObserverInfo{.name = "momentum_exact",

@@ -14,104 +14,94 @@
 // not finite, so that a filter need not look at its input.
 #pragma once
 
-#include <memory>
+#include <array>
 #include <string>
+#include <utility>
 
 #include "observers/options.h"
 #include "observers/residual.h"
 
 namespace dob {
 
-// Estimates the torques F_hat of leg-tip forces. Keys as the filter has them. What it cannot see: see momentum.h.
-template <template <int> class Filter>
-class LegFilterObserver final : public DisturbanceObserver {
- public:
-  // `name` has to outlive the observer. Throws OptionError.
-  LegFilterObserver(std::string_view name, const ObserverOptions& options, double dt)
-      : name_(name), rest_(make(name, options, dt)), filter_(rest_) {}
-
-  std::string_view name() const noexcept override { return name_; }
-  void reset(const ModelTerms& /*now*/) noexcept override { filter_ = rest_; }
-
-  // Non-finite input, dt <= 0 or overflow: kInvalidInput, state and estimate stay as they were.
-  Estimate update(const ObserverInput& input) noexcept override {
-    const Vec12 residual = leg_residual(input);
-    Filter<kJoints> next = filter_;
-    next.step(residual, input.dt);
-    const bool valid = input.dt > 0.0 && (residual / input.dt).allFinite() && next.finite();
-    if (valid) filter_ = next;
-    Estimate estimate;
-    estimate.has_legs = true;
-    estimate.leg_torque = filter_.estimate();
-    estimate.status = valid ? EstimateStatus::kOk : EstimateStatus::kInvalidInput;
-    return estimate;
-  }
-
-  const Filter<kJoints>& filter() const noexcept { return filter_; }
-
- private:
-  static Filter<kJoints> make(std::string_view name, const ObserverOptions& options, double dt) {
-    check_tick(name, dt);
-    OptionReader reader(name, options);
-    const auto read = Filter<kJoints>::read(reader, "");
-    reader.refuse_unknown();
-    return {read, dt};
-  }
-
-  std::string_view name_;
-  Filter<kJoints> rest_;
-  Filter<kJoints> filter_;
+// Torques F_hat of leg-tip forces, one filter for all joints. What it cannot see: see momentum.h.
+struct LegMomentum {
+  using Vector = Vec12;
+  static constexpr int kWidth = kJoints;  // components of a filter
+  static constexpr std::array<const char*, 1> kPrefixes{""};
+  static Vector residual(const ObserverInput& input) noexcept { return leg_residual(input); }
+  static Estimate answer(const Vector& torque, bool valid) noexcept { return leg_estimate(torque, valid); }
 };
 
-// Estimates the disturbance wrench about the CoM, along W. Keys: the filter's twice, with linear_ and angular_ before
-// them. What it cannot see: see com_wrench.h.
-template <template <int> class Filter>
-class ComFilterObserver final : public DisturbanceObserver {
+// Wrench about the CoM, along W, one filter for the force and one for the moment. What it cannot see: see com_wrench.h.
+// Joint torques are not used, and may be anything.
+struct ComMomentum {
+  using Vector = Vec6;
+  static constexpr int kWidth = 3;
+  static constexpr std::array<const char*, 2> kPrefixes{"linear_", "angular_"};
+  static Vector residual(const ObserverInput& input) noexcept { return com_residual(input); }
+  static Estimate answer(const Vector& wrench, bool valid) noexcept { return com_estimate(wrench, valid); }
+};
+
+// Keys: the filter's, with the prefix of each filter before them.
+template <typename Momentum, template <int> class Filter>
+class FilterObserver final : public DisturbanceObserver {
  public:
-  // As above.
-  ComFilterObserver(std::string_view name, const ObserverOptions& options, double dt)
+  using OneFilter = Filter<Momentum::kWidth>;
+
+  // `name` has to outlive the observer; dt [s] is the tick. Throws OptionError.
+  FilterObserver(std::string_view name, const ObserverOptions& options, double dt)
       : name_(name), rest_(make(name, options, dt)), filters_(rest_) {}
 
   std::string_view name() const noexcept override { return name_; }
+
+  // All filters to rest.
   void reset(const ModelTerms& /*now*/) noexcept override { filters_ = rest_; }
 
-  // As above. Joint torques are not used, and may be anything.
+  // Non-finite input, dt <= 0 or overflow: kInvalidInput, state and estimate stay as they were.
   Estimate update(const ObserverInput& input) noexcept override {
-    const Vec6 residual = com_residual(input);
+    const typename Momentum::Vector residual = Momentum::residual(input);
+    bool valid = input.dt > 0.0 && (residual / input.dt).allFinite();
     Filters next = filters_;
-    next.linear.step(residual.head<3>(), input.dt);
-    next.angular.step(residual.tail<3>(), input.dt);
-    const bool valid =
-        input.dt > 0.0 && (residual / input.dt).allFinite() && next.linear.finite() && next.angular.finite();
+    for (int i = 0; i < kFilters && valid; ++i) {
+      next[i].step(residual.template segment<Momentum::kWidth>(i * Momentum::kWidth), input.dt);
+      valid = next[i].finite();
+    }
     if (valid) filters_ = next;
-    Estimate estimate;
-    estimate.has_com = true;
-    estimate.com_wrench << filters_.linear.estimate(), filters_.angular.estimate();
-    estimate.status = valid ? EstimateStatus::kOk : EstimateStatus::kInvalidInput;
-    return estimate;
+    typename Momentum::Vector estimate;
+    for (int i = 0; i < kFilters; ++i) {
+      estimate.template segment<Momentum::kWidth>(i * Momentum::kWidth) = filters_[i].estimate();
+    }
+    return Momentum::answer(estimate, valid);
   }
 
-  const Filter<3>& linear_filter() const noexcept { return filters_.linear; }
-  const Filter<3>& angular_filter() const noexcept { return filters_.angular; }
+  // Of all joints; of force (0) and moment (1).
+  const OneFilter& filter(int i = 0) const noexcept { return filters_[i]; }
 
  private:
-  struct Filters {
-    Filter<3> linear;
-    Filter<3> angular;
-  };
+  static constexpr int kFilters = static_cast<int>(Momentum::kPrefixes.size());
+  using Filters = std::array<OneFilter, Momentum::kPrefixes.size()>;
 
   static Filters make(std::string_view name, const ObserverOptions& options, double dt) {
     check_tick(name, dt);
     OptionReader reader(name, options);
-    const auto linear = Filter<3>::read(reader, "linear_");
-    const auto angular = Filter<3>::read(reader, "angular_");
+    const auto one = [&](const char* prefix) { return OneFilter(OneFilter::read(reader, prefix), dt); };
+    const Filters filters = [&]<std::size_t... i>(std::index_sequence<i...>) {
+      return Filters{one(Momentum::kPrefixes[i])...};
+    }
+    (std::make_index_sequence<Momentum::kPrefixes.size()>{});
     reader.refuse_unknown();
-    return {{linear, dt}, {angular, dt}};
+    return filters;
   }
 
   std::string_view name_;
   Filters rest_;
   Filters filters_;
 };
+
+template <template <int> class Filter>
+using LegFilterObserver = FilterObserver<LegMomentum, Filter>;
+
+template <template <int> class Filter>
+using ComFilterObserver = FilterObserver<ComMomentum, Filter>;
 
 }  // namespace dob

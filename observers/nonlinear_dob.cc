@@ -46,11 +46,7 @@ Estimate NonlinearDobObserver::update(const ObserverInput& input) noexcept {
 
   const bool valid = dt > 0.0 && next.allFinite();
   if (valid) d_hat_ = next;
-  Estimate estimate;
-  estimate.has_legs = true;
-  estimate.leg_torque = d_hat_;
-  estimate.status = valid ? EstimateStatus::kOk : EstimateStatus::kInvalidInput;
-  return estimate;
+  return leg_estimate(d_hat_, valid);
 }
 
 }  // namespace dob

@@ -1,6 +1,6 @@
 // Nonlinear disturbance observer on the legs' dynamics, not on their momentum: the paper's baseline [24] (Dini, Majd,
 // "Sliding-mode tracking control of a walking quadruped robot with a push recovery algorithm using a nonlinear
-// disturbance observer as a virtual force sensor", 2020; the observer itself: Chen, Ballance, Gawthrop, O'Reilly,
+// disturbance observer as a virtual force sensor", 2019; the observer itself: Chen, Ballance, Gawthrop, O'Reilly,
 // "A nonlinear disturbance observer for robotic manipulators", 2000).
 //
 // On the last twelve rows of (1), M_q qdd + c_q = tau + J_j^T f + d:
@@ -34,7 +34,7 @@ namespace dob {
 struct NonlinearDobOptions {
   enum class Reading { kBandwidth, kLiteral };
   Reading reading = Reading::kBandwidth;
-  double X = 10.0;  // [rad/s] or [kg m^2/s], by the reading; section 5.1
+  double X = 10.0;  // [rad/s] or [kg m^2/s], by the reading; case study 2
 };
 
 // Keys: reading ("bandwidth" | "literal"), X. Throws OptionError.

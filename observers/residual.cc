@@ -34,4 +34,20 @@ Vec6 com_residual(const ObserverInput& input) noexcept {
   return com_momentum(input.now) - com_momentum(input.start) - input.dt * known_com_wrench(input);
 }
 
+Estimate leg_estimate(const Vec12& leg_torque, bool valid) noexcept {
+  Estimate estimate;
+  estimate.has_legs = true;
+  estimate.leg_torque = leg_torque;
+  estimate.status = valid ? EstimateStatus::kOk : EstimateStatus::kInvalidInput;
+  return estimate;
+}
+
+Estimate com_estimate(const Vec6& com_wrench, bool valid) noexcept {
+  Estimate estimate;
+  estimate.has_com = true;
+  estimate.com_wrench = com_wrench;
+  estimate.status = valid ? EstimateStatus::kOk : EstimateStatus::kInvalidInput;
+  return estimate;
+}
+
 }  // namespace dob

@@ -29,4 +29,8 @@ Vec6 known_com_wrench(const ObserverInput& input) noexcept;
 // [m c_dot; L](t) - [m c_dot; L](t - dt) - dt known [N s; N m s].
 Vec6 com_residual(const ObserverInput& input) noexcept;
 
+// The answer of an observer of the legs, or of the CoM, alone: its estimate, and whether the input was valid.
+Estimate leg_estimate(const Vec12& leg_torque, bool valid) noexcept;
+Estimate com_estimate(const Vec6& com_wrench, bool valid) noexcept;
+
 }  // namespace dob

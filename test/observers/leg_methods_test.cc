@@ -1,14 +1,11 @@
 // The legs' observers beside the momentum observer, against the true full-space dynamics of the robot in free flight.
-#include <random>
-
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include "observers/factory.h"
-#include "test/observers/free_flight.h"
+#include "test/observers/flight_test.h"
 #include "test/observers/ideal_plant.h"
-#include "test/support/random_state.h"
 
 namespace dob {
 namespace {
@@ -17,17 +14,10 @@ using test::FreeFlight;
 
 constexpr double kGain = 60.0;  // [rad/s]
 
-class LegMethodsTest : public ::testing::Test {
+class LegMethodsTest : public test::FlightTest {
  protected:
-  RobotDescription robot =
-      load_robot(std::filesystem::path(DOB_SOURCE_DIR) / "robot/dogbot/dogbot.urdf", Forward::kMinusY);
-  Model model{robot};
-  std::mt19937_64 random{7};
-
-  RobotState moving_state() {
-    RobotState state = test::random_state(random);
-    state.qd *= 0.2;
-    state.omega_WB *= 0.5;
+  RobotState bent_state() {
+    RobotState state = moving_state();
     for (int l = 0; l < kLegs; ++l) state.q[3 * l + 2] = l % 2 == 0 ? -1.2 : 1.2;  // no stretched knee
     return state;
   }
@@ -65,7 +55,7 @@ TEST_F(LegMethodsTest, AreTheContinuousFirstOrderFilterAtFirstOrderInTheTick) {
   const std::pair<const char*, ObserverOptions> methods[] = {{"momentum_exact", {{"gain_rad_s", kGain}}},
                                                              {"nonlinear_dob", {{"X", kGain}}}};
   for (const auto& [name, options] : methods) {
-    FreeFlight flight(model, moving_state(), {{kGain}});
+    FreeFlight flight(model, bent_state(), {{kGain}});
     flight.push = {Leg::kRF, LegLink::kLower, Vec3(0.01, -0.02, -0.15), Vec3(5.0, -8.0, 4.0)};
     flight.contact_force << 3.0, -4.0, 20.0, 0.0, 5.0, 10.0, -6.0, 0.0, 15.0, 2.0, 2.0, 8.0;
     const double coarse = worst_error(flight, name, options, 1e-3);
@@ -113,7 +103,7 @@ class ContactConsistentTest : public LegMethodsTest {
   static constexpr PerLeg<bool> kStance{true, false, false, true};  // LF, RH
 
   FreeFlight standing() {
-    FreeFlight flight(model, moving_state(), {{kGain}});
+    FreeFlight flight(model, bent_state(), {{kGain}});
     flight.contact_force << 3.0, -4.0, 20.0, Vec3::Zero(), Vec3::Zero(), 2.0, 2.0, 18.0;
     return flight;
   }
