@@ -47,9 +47,9 @@ Json solvers() {
 void print_section(const std::string& title, const Json& list) {
   fmt::print("{}\n", title);
   for (const Json& item : list) {
-    fmt::print("  {:<16} {}\n", item["name"].get<std::string>(), item.value("summary", ""));
+    fmt::print("  {:<18} {}\n", item["name"].get<std::string>(), item.value("summary", ""));
     const auto variants = item.value("variants", std::vector<std::string>{});
-    if (!variants.empty()) fmt::print("  {:<16} variants: {}\n", "", fmt::join(variants, ", "));
+    if (!variants.empty()) fmt::print("  {:<18} variants: {}\n", "", fmt::join(variants, ", "));
   }
 }
 
