@@ -85,7 +85,7 @@ class FilterObserver final : public DisturbanceObserver {
     check_tick(name, dt);
     OptionReader reader(name, options);
     const auto one = [&](const char* prefix) { return OneFilter(OneFilter::read(reader, prefix), dt); };
-    const Filters filters = [&]<std::size_t... i>(std::index_sequence<i...>) {
+    Filters filters = [&]<std::size_t... i>(std::index_sequence<i...>) {
       return Filters{one(Momentum::kPrefixes[i])...};
     }
     (std::make_index_sequence<Momentum::kPrefixes.size()>{});
