@@ -29,6 +29,7 @@ Json observers() {
                     {"summary", info.summary},
                     {"estimates_legs", info.estimates_legs},
                     {"estimates_com", info.estimates_com},
+                    {"oracle", info.oracle},
                     {"source", info.source}});
   }
   return list;
@@ -49,9 +50,9 @@ Json solvers() {
 void print_section(const std::string& title, const Json& list) {
   fmt::print("{}\n", title);
   for (const Json& item : list) {
-    fmt::print("  {:<16} {}\n", item["name"].get<std::string>(), item.value("summary", ""));
+    fmt::print("  {:<18} {}\n", item["name"].get<std::string>(), item.value("summary", ""));
     const auto variants = item.value("variants", std::vector<std::string>{});
-    if (!variants.empty()) fmt::print("  {:<16} variants: {}\n", "", fmt::join(variants, ", "));
+    if (!variants.empty()) fmt::print("  {:<18} variants: {}\n", "", fmt::join(variants, ", "));
   }
 }
 

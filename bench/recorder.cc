@@ -10,15 +10,24 @@
 namespace dob {
 namespace {
 
-// Joint columns, in CoM coordinates, of the Jacobian of the point where a force acts (3x12 [m]).
-Eigen::Matrix<double, 3, 12> joint_columns(const ModelTerms& m, const AppliedForce& force) noexcept {
+// The point where a force acts, with the Jacobian in CoM coordinates.
+struct ForcePoint {
+  Mat36 J_com;                       // [-, m]
+  Eigen::Matrix<double, 3, 12> J_j;  // [m]
+};
+
+ForcePoint force_point(const ModelTerms& m, const AppliedForce& force) noexcept {
+  ForcePoint point;
   if (force.leg == AppliedForce::kTrunk) {
-    return -point_jacobian_com(m, m.state.p_WB + m.state.R_WB * force.p_L) * m.A_c;
+    point.J_com = point_jacobian_com(m, m.state.p_WB + m.state.R_WB * force.p_L);
+    point.J_j = -point.J_com * m.A_c;
+    return point;
   }
-  const LegPoint point = leg_point(m, Leg{force.leg}, force.link, force.p_L);
-  Eigen::Matrix<double, 3, 12> J = -point_jacobian_com(m, point.p) * m.A_c;
-  J.middleCols<3>(3 * force.leg) += point.J_q;
-  return J;
+  const LegPoint on_leg = leg_point(m, Leg{force.leg}, force.link, force.p_L);
+  point.J_com = point_jacobian_com(m, on_leg.p);
+  point.J_j = -point.J_com * m.A_c;
+  point.J_j.middleCols<3>(3 * force.leg) += on_leg.J_q;
+  return point;
 }
 
 // Least-squares f of J^T f = torque; directions with singular values below 5 % of the largest are cut, since a force on
@@ -117,18 +126,25 @@ void Recorder::record_estimate(const Estimate& estimate) noexcept {
   r.force_estimate = r.has_force_estimate ? force_at_point(point_jacobian_, estimate.leg_torque) : Vec3::Zero();
 }
 
+void Recorder::tell_truth(Estimate& estimate) const noexcept {
+  if (estimate.has_legs) estimate.leg_torque = true_torque_;
+  if (estimate.has_com) estimate.com_wrench = true_wrench_;
+}
+
 void Recorder::remember_truth(const ModelTerms& m, std::span<const AppliedForce> forces) noexcept {
   have_truth_ = true;
   true_torque_.setZero();
+  true_wrench_.setZero();
   true_force_.setZero();
   int acting = 0;
   for (const AppliedForce& force : forces) {
     if (force.force_W.isZero(0.0)) continue;
-    const Eigen::Matrix<double, 3, 12> J = joint_columns(m, force);
-    true_torque_ += J.transpose() * force.force_W;
+    const ForcePoint point = force_point(m, force);
+    true_torque_ += point.J_j.transpose() * force.force_W;
+    true_wrench_ += point.J_com.transpose() * force.force_W;
     ++acting;
     single_leg_force_ = acting == 1 && force.leg != AppliedForce::kTrunk;
-    point_jacobian_ = J;
+    point_jacobian_ = point.J_j;
     true_force_ = force.force_W;
   }
   if (acting != 1) single_leg_force_ = false;

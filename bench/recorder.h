@@ -22,6 +22,10 @@ class Recorder {
                            const WbcTick& command, const StepResult& step, const Estimate& estimate,
                            std::span<const AppliedForce> forces) noexcept;
 
+  // Puts the truth about the interval of the last record into the parts that the estimate says it has: what an oracle
+  // stands for.
+  void tell_truth(Estimate& estimate) const noexcept;
+
  private:
   void record_balance(const ModelTerms& m, const LocomotionController& controller) noexcept;
   void record_estimate(const Estimate& estimate) noexcept;
@@ -35,6 +39,7 @@ class Recorder {
   // Truth over the interval that the next estimate answers to.
   bool have_truth_ = false;
   Vec12 true_torque_ = Vec12::Zero();            // [N m]
+  Vec6 true_wrench_ = Vec6::Zero();              // [N; N m] about the CoM, along W
   bool single_leg_force_ = false;                // exactly one disturbance acts, and it acts on a leg
   Eigen::Matrix<double, 3, 12> point_jacobian_;  // of its application point, joint columns in CoM coordinates
   Vec3 true_force_ = Vec3::Zero();               // [N]

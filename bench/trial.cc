@@ -12,6 +12,11 @@
 namespace dob {
 namespace {
 
+bool is_oracle(std::string_view observer) noexcept {
+  const ObserverInfo* info = find_built_in_observer(observer);
+  return info != nullptr && info->oracle;
+}
+
 // FNV-1a over the bytes of a state: equal bits, equal hash.
 std::uint64_t hash_state(std::uint64_t hash, const RobotState& s) noexcept {
   const auto add = [&hash](const double* data, int count) {
@@ -49,6 +54,7 @@ Trial::Trial(const Scenario& scenario, const ObserverConfig& observer, int seed)
       simulator_(robot_, scenario.terrain, scenario.sim),
       sensors_(scenario.noise, static_cast<std::uint64_t>(seed)),
       observer_(make_observer(observer.observer, observer.options, scenario.sim.dt)),
+      oracle_(is_oracle(observer.observer)),
       controller_(locomotion_options(scenario, observer.routing), ReferencePath(scenario.path), scenario.sim.dt),
       recorder_(robot_, scenario_) {
   RobotState initial = standing_pose(model_, scenario_.planner.com_height, scenario_.planner.footsteps.foot_offset_x,
@@ -118,6 +124,7 @@ void Trial::observe(const SensorReading& reading) noexcept {
   for (int l = 0; l < kLegs; ++l) foot_force_.segment<3>(3 * l) = reading.foot_force_W[l];
   estimate_ =
       observer_->update({*start_, *now_, reading.joint_torque, foot_force_, controller_.stance(), scenario_.sim.dt});
+  if (oracle_) recorder_.tell_truth(estimate_);
 }
 
 CellResult Trial::run(const Sink& sink) {

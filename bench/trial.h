@@ -51,6 +51,7 @@ class Trial {
   Simulator simulator_;
   Sensors sensors_;
   std::unique_ptr<DisturbanceObserver> observer_;
+  bool oracle_;  // the truth takes the place of the observer's estimate
   LocomotionController controller_;
   double initial_footstep_time_ = 0.0;
   int first_step_ = 0;

@@ -1,10 +1,9 @@
 #include "observers/com_wrench.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "observers/momentum_gains.h"
+#include "observers/residual.h"
 
 namespace dob {
 namespace {
@@ -12,7 +11,6 @@ namespace {
 constexpr std::string_view kName = "com_wrench";
 constexpr std::string_view kLinear = "linear_gain_rad_s";
 constexpr std::string_view kAngular = "angular_gain_rad_s";
-constexpr double kLargestGain = 1e6;  // [rad/s], far above what any tick holds
 
 // The update is that of a momentum observer of order 1, so its stability is, too.
 double checked_gain(std::string_view key, double gain, double dt) {
@@ -23,27 +21,19 @@ double checked_gain(std::string_view key, double gain, double dt) {
   throw OptionError(kName, key, gain, reason);
 }
 
-// [m c_dot; L], about the CoM along W.
-Vec6 momentum(const ModelTerms& m) noexcept {
-  Vec6 p;
-  p << m.mass * m.v_c.head<3>(), m.L;
-  return p;
-}
-
 }  // namespace
 
 ComWrenchOptions read_com_wrench_options(const ObserverOptions& options) {
   OptionReader reader(kName, options);
-  const NumberRange allowed{.above = 0.0, .max = kLargestGain};
   ComWrenchOptions result;
-  result.linear_gain = reader.number(std::string(kLinear), result.linear_gain, allowed);
-  result.angular_gain = reader.number(std::string(kAngular), result.angular_gain, allowed);
+  result.linear_gain = reader.number(std::string(kLinear), result.linear_gain, kGainRange);
+  result.angular_gain = reader.number(std::string(kAngular), result.angular_gain, kGainRange);
   reader.refuse_unknown();
   return result;
 }
 
 ComWrenchObserver::ComWrenchObserver(const ComWrenchOptions& options, double dt) {
-  if (!std::isfinite(dt) || dt <= 0.0) throw OptionError(kName, "dt", dt, "allowed is a finite tick > 0 s");
+  check_tick(kName, dt);
   G_.head<3>().setConstant(checked_gain(kLinear, options.linear_gain, dt));
   G_.tail<3>().setConstant(checked_gain(kAngular, options.angular_gain, dt));
 }
@@ -54,10 +44,8 @@ void ComWrenchObserver::reset(const ModelTerms& /*now*/) noexcept {
 
 Estimate ComWrenchObserver::update(const ObserverInput& input) noexcept {
   const double dt = input.dt;
-  Vec6 known = com_wrench(input.start, input.start.contact, input.foot_force);
-  known[2] -= input.start.mass * kGravity;
-  const Vec6 gained = momentum(input.now) - momentum(input.start);
-  const Vec6 next = w_hat_ + G_.cwiseProduct(gained - dt * (w_hat_ + known));
+  const Vec6 gained = com_momentum(input.now) - com_momentum(input.start);
+  const Vec6 next = w_hat_ + G_.cwiseProduct(gained - dt * (w_hat_ + known_com_wrench(input)));
 
   const bool valid = dt > 0.0 && next.allFinite();
   if (valid) w_hat_ = next;

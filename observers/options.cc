@@ -32,10 +32,11 @@ std::optional<std::vector<double>> parse_list(std::string_view text) {
 }
 
 bool within(double value, const NumberRange& range) {
-  return std::isfinite(value) && value > range.above && value <= range.max;
+  return std::isfinite(value) && value > range.above && value >= range.min && value <= range.max;
 }
 
 std::string describe(const NumberRange& range) {
+  if (!std::isinf(range.min)) return fmt::format("from {} to {}", range.min, range.max);
   const bool below = range.max == NumberRange{}.max;
   if (std::isinf(range.above)) return below ? "finite" : fmt::format("at most {}", range.max);
   return below ? fmt::format("above {}", range.above) : fmt::format("in ({}, {}]", range.above, range.max);
@@ -68,6 +69,10 @@ OptionError::OptionError(std::string_view observer, std::string_view key, const 
                          std::string_view allowed)
     : std::runtime_error(fmt::format("observer {}: option {} = {} is refused: {}", observer, key,
                                      format_option_value(value), allowed)) {}
+
+void check_tick(std::string_view observer, double dt) {
+  if (!std::isfinite(dt) || dt <= 0.0) throw OptionError(observer, "dt", dt, "allowed is a finite tick > 0 s");
+}
 
 const OptionValue* OptionReader::find(const std::string& key) {
   known_.insert(key);

@@ -31,11 +31,18 @@ class OptionError : public std::runtime_error {
   explicit OptionError(const std::string& message) : std::runtime_error(message) {}
 };
 
-// Half-open range of allowed numbers (above, max]; infinities and NaN are never allowed.
+// Range of allowed numbers: (above, max], or [min, max] where a min is given; infinities and NaN are never allowed.
 struct NumberRange {
   double above = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::max();
+  double min = -std::numeric_limits<double>::infinity();
 };
+
+inline constexpr NumberRange kGainRange{.above = 0.0, .max = 1e6};  // [rad/s], far above what any tick resolves
+inline constexpr NumberRange kGainOrNone{.max = 1e6, .min = 0.0};   // [rad/s]
+
+// Throws OptionError unless dt [s] is finite and > 0.
+void check_tick(std::string_view observer, double dt);
 
 // Reads options by key. An absent key gives the fallback (for choice(): the first of the allowed); a value of
 // another type or out of range throws OptionError. Call refuse_unknown() after the last key.

@@ -8,7 +8,7 @@ namespace {
 constexpr std::string_view kLegsPrefix = "legs.";
 constexpr std::string_view kComPrefix = "com.";
 
-std::unique_ptr<DisturbanceObserver> make_part(std::string_view pair, std::string_view prefix, MakeObserver make,
+std::unique_ptr<DisturbanceObserver> make_part(std::string_view pair, std::string_view prefix, const MakeObserver& make,
                                                const ObserverOptions& options, double dt) {
   ObserverOptions own;
   for (const auto& [key, value] : options) {
@@ -46,8 +46,20 @@ std::optional<LinearChannel> PairObserver::linear(Channel channel) const {
   return part == nullptr ? std::nullopt : part->linear(channel);
 }
 
-std::unique_ptr<DisturbanceObserver> make_pair_observer(std::string_view name, MakeObserver legs, MakeObserver com,
-                                                        const ObserverOptions& options, double dt) {
+std::optional<PairName> parse_pair_name(std::string_view name) noexcept {
+  constexpr std::string_view kFirst = "legs=";
+  constexpr std::string_view kSecond = ",com=";
+  const std::size_t comma = name.find(',');
+  if (!name.starts_with(kFirst) || comma == std::string_view::npos || !name.substr(comma).starts_with(kSecond))
+    return {};
+  const PairName pair{name.substr(kFirst.size(), comma - kFirst.size()), name.substr(comma + kSecond.size())};
+  if (pair.com.find(',') != std::string_view::npos) return {};
+  return pair;
+}
+
+std::unique_ptr<DisturbanceObserver> make_pair_observer(std::string_view name, const MakeObserver& legs,
+                                                        const MakeObserver& com, const ObserverOptions& options,
+                                                        double dt) {
   for (const auto& [key, value] : options) {
     if (key.starts_with(kLegsPrefix) || key.starts_with(kComPrefix)) continue;
     throw OptionError(name, key, value, "no such option; there are: legs.KEY and com.KEY, of the two observers");

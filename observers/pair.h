@@ -2,7 +2,9 @@
 // observer; what the first says about the CoM and the second about the legs is left out.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "observers/linear_observer.h"
@@ -34,11 +36,19 @@ class PairObserver final : public DisturbanceObserver, public LinearObserver {
   std::unique_ptr<DisturbanceObserver> com_;
 };
 
-using MakeObserver = std::unique_ptr<DisturbanceObserver> (*)(const ObserverOptions& options, double dt);
+// The name of a pair of observers, `legs=NAME,com=NAME`, in this order; empty when the text is not of that form.
+struct PairName {
+  std::string_view legs;
+  std::string_view com;
+};
+std::optional<PairName> parse_pair_name(std::string_view name) noexcept;
+
+using MakeObserver = std::function<std::unique_ptr<DisturbanceObserver>(const ObserverOptions& options, double dt)>;
 
 // Makes both from one set of options: `legs.KEY` is option KEY of the first, `com.KEY` of the second. Throws
 // OptionError for any other key, and with the pair's name and the part's before it for what a part refuses.
-std::unique_ptr<DisturbanceObserver> make_pair_observer(std::string_view name, MakeObserver legs, MakeObserver com,
-                                                        const ObserverOptions& options, double dt);
+std::unique_ptr<DisturbanceObserver> make_pair_observer(std::string_view name, const MakeObserver& legs,
+                                                        const MakeObserver& com, const ObserverOptions& options,
+                                                        double dt);
 
 }  // namespace dob

@@ -10,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "observers/factory.h"
+#include "observers/pair.h"
 #include "observers/plugin.h"
 #include "scenarios/data_directory.h"
 #include "scenarios/document.h"
@@ -35,11 +36,9 @@ ObserverInfo find_observer(std::string_view name, const Place& place) {
   } catch (const OptionError& error) {
     throw InputError(place, "", error.what());
   }
-  const auto observers = built_in_observers();
-  const auto it = std::find_if(observers.begin(), observers.end(), [&](const auto& info) { return info.name == name; });
-  if (it != observers.end()) return *it;
+  if (const ObserverInfo* info = find_built_in_observer(name)) return *info;
   std::vector<std::string_view> names;
-  for (const ObserverInfo& info : observers) names.push_back(info.name);
+  for (const ObserverInfo& info : built_in_observers()) names.push_back(info.name);
   throw InputError(place, "", fmt::format("there is no observer '{}'; there are: {}", name, fmt::join(names, ", ")));
 }
 
@@ -76,17 +75,79 @@ Node parse_specification(std::string_view text, const Place& place) {
   return document;
 }
 
-// The observer's table in the profile: [NAME], or [plugin.NAME]. Every other table has to be a built-in observer's.
-const Node* find_in_profile(const Node& profile, const ObserverInfo& info, bool plugin) {
+// Tables of a profile for all observers that estimate the legs, the CoM, or both: their routing. A name of
+// [NAME.routing] goes before it.
+constexpr const char* kOfLegs = "legs";
+constexpr const char* kOfCom = "com";
+constexpr const char* kOfBoth = "pair";
+
+const char* kind_of(const ObserverInfo& info) {
+  if (info.estimates_legs && info.estimates_com) return kOfBoth;
+  return info.estimates_legs ? kOfLegs : kOfCom;
+}
+
+void check_kind(const Node& kind, const std::string& key) {
+  for (const Entry& e : table_of(kind, key)) {
+    if (e.key != kRouting) throw InputError(e.node.place, fmt::format("{}.{}", key, e.key), "allowed: routing only");
+  }
+}
+
+// Every table of a profile has to be an observer's or a kind's.
+void check_profile(const Node& profile) {
   for (const Entry& e : table_of(profile, "")) {
     table_of(e.node, e.key);
     if (e.key == kPlugins) continue;
-    if (!estimates(find_observer(e.key, e.node.place)))
+    if (e.key == kOfLegs || e.key == kOfCom || e.key == kOfBoth) {
+      check_kind(e.node, e.key);
+    } else if (!estimates(find_observer(e.key, e.node.place))) {
       throw InputError(e.node.place, e.key, "this observer estimates nothing; a profile has nothing to say about it");
+    }
   }
+}
+
+// [NAME], or [plugin.NAME].
+const Node* own_table(const Node& profile, const ObserverInfo& info, bool plugin) {
+  if (!plugin) return profile.find(info.name);
   const Node* plugins = profile.find(kPlugins);
-  if (plugin) return plugins == nullptr ? nullptr : plugins->find(info.name);
-  return profile.find(info.name);
+  return plugins == nullptr ? nullptr : plugins->find(info.name);
+}
+
+// What the profile says of an observer: its own table, or those of a pair's parts, over the routing of its kind. Empty
+// when it says nothing.
+Node profile_table(const Node& profile, const ObserverInfo& info, bool plugin, const Place& place) {
+  Node table{Table{}, place};
+  if (!estimates(info)) return table;
+  if (const Node* kind = profile.find(kind_of(info))) table.value = kind->value;
+  if (const auto pair = parse_pair_name(info.name)) {
+    for (const auto& [part, name] : {std::pair(kOfLegs, pair->legs), std::pair(kOfCom, pair->com)}) {
+      const Node* own = profile.find(name);
+      if (own == nullptr) continue;
+      Node options = *own;
+      erase(options, kRouting);
+      if (!table_of(options, part).empty()) set(table, part, options);
+    }
+  } else if (const Node* own = own_table(profile, info, plugin)) {
+    merge(table, *own);
+    table.place = own->place;
+  }
+  return table;
+}
+
+// `NAME:options` or `legs=NAME,com=NAME,options`, split into name and options.
+std::pair<std::string_view, std::string_view> split(std::string_view specification) {
+  const bool pair = specification.starts_with(fmt::format("{}=", kOfLegs));
+  std::size_t end = specification.find(pair ? ',' : ':');
+  if (pair && end != std::string_view::npos) end = specification.find(',', end + 1);
+  if (end == std::string_view::npos) return {specification, {}};
+  return {specification.substr(0, end), specification.substr(end + 1)};
+}
+
+ObserverInfo find_observer_or_pair(std::string_view name, const Place& place) {
+  const auto pair = parse_pair_name(name);
+  if (!pair) return find_observer(name, place);
+  find_observer(pair->legs, place);
+  find_observer(pair->com, place);
+  return {.name = name, .estimates_legs = true, .estimates_com = true};
 }
 
 OptionValue option_value(const Node& node, const std::string& key) {
@@ -129,11 +190,10 @@ Routing read_routing(const Node& node, const std::string& path) {
 }  // namespace
 
 ObserverConfig load_observer(std::string_view specification, const std::string& profile, double dt) {
-  const std::size_t colon = specification.find(':');
+  const auto [name, overrides] = split(specification);
   const Place command{fmt::format("--observer {}", specification)};
-  const std::string_view asked = specification.substr(0, colon);
-  const bool plugin = is_plugin_path(asked);
-  const ObserverInfo info = find_observer(asked, command);
+  const bool plugin = is_plugin_path(name);
+  const ObserverInfo info = find_observer_or_pair(name, command);
   const std::vector<std::string> profiles = profile_names();
   if (std::find(profiles.begin(), profiles.end(), profile) == profiles.end()) {
     throw InputError({"--profile"}, "",
@@ -141,16 +201,17 @@ ObserverConfig load_observer(std::string_view specification, const std::string& 
   }
 
   const Node document = parse_file(profile_file(profile));
-  const Node* in_profile = find_in_profile(document, info, plugin);
-  Node table = in_profile == nullptr ? Node{Table{}, command} : *in_profile;
-  if (colon != std::string_view::npos) {
-    const Node overlay = parse_specification(specification.substr(colon + 1), command);
+  check_profile(document);
+  Node table = profile_table(document, info, plugin, command);
+  const bool in_profile = !table_of(table, "").empty();
+  if (!overrides.empty()) {
+    const Node overlay = parse_specification(overrides, command);
     drop_replaced_gains(table, overlay);
     merge(table, overlay);
   }
 
-  ObserverConfig config{std::string(info.name), in_profile == nullptr ? "-" : profile, {}, {}, std::string(info.name)};
-  if (colon != std::string_view::npos) config.label += specification.substr(colon);
+  ObserverConfig config{std::string(info.name), in_profile ? profile : "-", {}, {}, std::string(info.name)};
+  config.label += specification.substr(name.size());
   for (const Entry& e : table_of(table, config.observer)) {
     const std::string key = fmt::format("{}.{}", config.observer, e.key);
     if (e.key != kRouting) {
@@ -161,7 +222,7 @@ ObserverConfig load_observer(std::string_view specification, const std::string& 
       throw InputError(e.node.place, key, "this observer estimates nothing that could be routed");
     }
   }
-  if (plugin) config.observer = std::filesystem::absolute(asked).string();
+  if (plugin) config.observer = std::filesystem::absolute(name).string();
   try {
     make_observer(config.observer, config.options, dt);
   } catch (const OptionError& error) {

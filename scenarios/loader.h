@@ -44,11 +44,14 @@ std::vector<Scenario> load_scenarios(const ScenarioRequest& request);
 // the same Scenario. `variant` as in the Scenario.
 std::string resolved_toml(const ScenarioRequest& request, std::string_view variant);
 
-// The observer `NAME` or `NAME:key=value,key=value`, where NAME may be the path of a plugin (observers/plugin.h), with
-// the profile's options and routing, over which those of the specification are laid (`routing.torque_36=false`, lists
-// as `gains=1.0;2.0`). An observer that the profile does not mention, or that estimates nothing, gets its built-in
-// defaults and the profile "-"; for a plugin the profile's table is [plugin.NAME]. It is made once for a tick of dt
-// [s], so that what it refuses (unknown options, unstable gains) is refused here.
+// The observer `NAME` or `NAME:key=value,key=value`, where NAME may be the path of a plugin (observers/plugin.h, its
+// table in a profile is [plugin.NAME]), or the pair `legs=NAME,com=NAME` with `,legs.key=value` and
+// `,com.key=value` behind it, with the profile's options and routing, over which those of the specification are laid
+// (`routing.torque_36=false`, lists as `gains=1.0;2.0`). A profile may give the routing for a kind of estimate
+// ([legs.routing], [com.routing], [pair.routing] for both, and for pairs), over which that of an observer's own table
+// is laid; the options of a pair's parts are those of their own tables. An observer that the profile does not mention,
+// or that estimates nothing, gets its built-in defaults and the profile "-". It is made once for a tick of dt [s], so
+// that what it refuses (unknown options, unstable gains) is refused here.
 ObserverConfig load_observer(std::string_view specification, const std::string& profile, double dt = SimOptions{}.dt);
 
 // A profile as text: a table per observer with its options and its routing, which load_observer() reads back.

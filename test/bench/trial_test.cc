@@ -132,6 +132,19 @@ TEST(Trial, RecordedTruthIsTheDisturbanceSeenAtTheJoints) {
   EXPECT_LT(largest_difference, 2.0);  // [N] lag of the filter at 1 rad/s and landing transients
 }
 
+// No observer sees the truth: it is the trial that puts it in the place of an oracle's estimate.
+TEST(Trial, OraclesReportTheTruthAndTheControllerGetsIt) {
+  const Scenario scenario = load("case1/tip_lateral", 3.0);
+  const CellResult legs = Trial(scenario, load_observer("oracle_legs", "matched"), 1).run();
+  const CellResult full = Trial(scenario, load_observer("oracle_full", "matched"), 1).run();
+  const CellResult momentum = Trial(scenario, load_observer("momentum_com", "matched"), 1).run();
+  EXPECT_EQ(*legs.metrics.joint_estimate_rmse_Nm, 0.0);
+  EXPECT_EQ(*full.metrics.joint_estimate_rmse_Nm, 0.0);
+  EXPECT_GT(*momentum.metrics.joint_estimate_rmse_Nm, 0.0);
+  EXPECT_LT(*full.metrics.grf_error_mean_N, *momentum.metrics.grf_error_mean_N);
+  EXPECT_LT(*full.metrics.com_error_max_m, 0.5 * *legs.metrics.com_error_max_m);
+}
+
 // Times at which the set of acting disturbances changes, and the true joint torques shortly after.
 struct Draws {
   std::vector<double> onset;

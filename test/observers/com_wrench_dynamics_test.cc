@@ -1,31 +1,19 @@
 // The CoM-wrench observer against the true full-space dynamics of the robot in free flight.
-#include <random>
-
 #include <gtest/gtest.h>
 
 #include "observers/com_wrench.h"
-#include "test/observers/free_flight.h"
-#include "test/support/random_state.h"
+#include "test/observers/flight_test.h"
 
 namespace dob {
 namespace {
 
 using test::FreeFlight;
 
-class ComWrenchDynamicsTest : public ::testing::Test {
+class ComWrenchDynamicsTest : public test::FlightTest {
  protected:
-  RobotDescription robot =
-      load_robot(std::filesystem::path(DOB_SOURCE_DIR) / "robot/dogbot/dogbot.urdf", Forward::kMinusY);
-  Model model{robot};
-  std::mt19937_64 random{11};
-  ComWrenchOptions gains{.linear_gain = 40.0, .angular_gain = 25.0};
+  ComWrenchDynamicsTest() : FlightTest(11) {}
 
-  RobotState moving_state() {
-    RobotState state = test::random_state(random);
-    state.qd *= 0.2;
-    state.omega_WB *= 0.5;
-    return state;
-  }
+  ComWrenchOptions gains{.linear_gain = 40.0, .angular_gain = 25.0};
 
   FreeFlight flight_from(const RobotState& state) { return FreeFlight(model, state, {{1.0}}); }
 

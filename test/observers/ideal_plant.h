@@ -1,8 +1,9 @@
 // A plant that obeys eq (3) and the momentum balance of the first six rows of (1) to the last digit, everything
 // constant over a tick:
 //     d(rho)/dt = C_q^T qd + tau + F,   dP/dt = -m g e_z + sum f_i + f_d,   dL/dt = sum (p_i - c) x f_i + m_d.
-// Legs and CoM do not know of one another: ground reaction forces have no lever on the joints. What an observer's
-// estimates of F, f_d and m_d do on it is known in closed form.
+// Legs and CoM do not know of one another (A_c = 0), and M_q = I, so that the joint rates are the momentum. Ground
+// reaction forces have a lever on their own leg's joints, none by default. What an observer's estimates of F, f_d and
+// m_d do on it is known in closed form.
 #pragma once
 
 #include "observers/observer.h"
@@ -22,6 +23,8 @@ class IdealPlant {
   Vec12 foot_force = Vec12::Zero();                                              // [N]
   Vec3 com = Vec3::Zero();                                                       // [m]
   PerLeg<Vec3> contact{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  // [m]
+  Mat3 lever = Mat3::Zero();                                                     // [m] J_q of every leg
+  PerLeg<bool> stance{true, true, true, true};
 
   // One tick; the input stays valid until the next one.
   ObserverInput advance(double dt) {
@@ -32,18 +35,14 @@ class IdealPlant {
     for (int l = 0; l < kLegs; ++l) {
       const Vec3 f = foot_force.segment<3>(3 * l);
       const Vec3 r = contact[l] - com;
+      momentum.segment<3>(3 * l) += dt * lever.transpose() * f;
       com_momentum.head<3>() += dt * f;
       com_momentum[3] += dt * (r.y() * f.z() - r.z() * f.y());
       com_momentum[4] += dt * (r.z() * f.x() - r.x() * f.z());
       com_momentum[5] += dt * (r.x() * f.y() - r.y() * f.x());
     }
     fill(now_);
-    return {.start = start_,
-            .now = now_,
-            .joint_torque = torque,
-            .foot_force = foot_force,
-            .stance = {true, true, true, true},
-            .dt = dt};
+    return {.start = start_, .now = now_, .joint_torque = torque, .foot_force = foot_force, .stance = stance, .dt = dt};
   }
 
   const ModelTerms& terms() {
@@ -55,6 +54,9 @@ class IdealPlant {
   void fill(ModelTerms& t) const {
     t.rho = momentum;
     t.CqT_qd = coriolis;
+    t.state.qd = momentum;
+    t.M_q.setIdentity();
+    t.c_q = -coriolis;
     t.A_c.setZero();
     t.mass = mass;
     t.v_c << com_momentum.head<3>() / mass, Vec3::Zero();
@@ -62,7 +64,7 @@ class IdealPlant {
     t.p_com = com;
     for (int l = 0; l < kLegs; ++l) {
       t.contact[l].p = contact[l];
-      t.contact[l].J_q.setZero();
+      t.contact[l].J_q = lever;
     }
   }
 

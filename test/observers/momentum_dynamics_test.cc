@@ -1,12 +1,9 @@
 // The momentum observer against the true full-space dynamics of the robot in free flight.
-#include <random>
-
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include "observers/momentum.h"
-#include "test/observers/free_flight.h"
-#include "test/support/random_state.h"
+#include "test/observers/flight_test.h"
 
 namespace dob {
 namespace {
@@ -16,20 +13,8 @@ using test::FreeFlight;
 constexpr double kTick = 1e-3;
 const MomentumGains kGains{{22.5, 62.8, 175.0}};  // the paper's in the stable order, times 10
 
-class MomentumDynamicsTest : public ::testing::Test {
+class MomentumDynamicsTest : public test::FlightTest {
  protected:
-  RobotDescription robot =
-      load_robot(std::filesystem::path(DOB_SOURCE_DIR) / "robot/dogbot/dogbot.urdf", Forward::kMinusY);
-  Model model{robot};
-  std::mt19937_64 random{7};
-
-  RobotState moving_state() {
-    RobotState state = test::random_state(random);
-    state.qd *= 0.2;
-    state.omega_WB *= 0.5;
-    return state;
-  }
-
   // Runs observer and robot side by side for a time T with damped joints; `check` sees every estimate.
   void fly(FreeFlight& flight, MomentumObserver& observer, double dt, double T, const auto& check) {
     ModelTerms now = flight.terms();

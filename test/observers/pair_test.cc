@@ -89,6 +89,39 @@ TEST(PairObserver, SaysInvalidInputIfEitherPartDoes) {
   EXPECT_TRUE(after.leg_torque.allFinite() && after.com_wrench.allFinite());
 }
 
+TEST(PairObserver, IsMadeFromTheNamesOfItsParts) {
+  const auto pair = make_observer("legs=momentum,com=com_wrench", {{"com.linear_gain_rad_s", 50.0}}, kTick);
+  const auto named = make_observer("momentum_com", {{"com.linear_gain_rad_s", 50.0}}, kTick);
+  EXPECT_EQ(pair->name(), "legs=momentum,com=com_wrench");
+  IdealPlant plant = pushed_plant();
+  for (int k = 0; k < 200; ++k) {
+    const ObserverInput input = plant.advance(kTick);
+    const Estimate one = pair->update(input);
+    const Estimate other = named->update(input);
+    ASSERT_EQ(one.leg_torque, other.leg_torque);
+    ASSERT_EQ(one.com_wrench, other.com_wrench);
+  }
+}
+
+TEST(PairObserver, RefusesPartsThatDoNotEstimateTheirPart) {
+  const auto make = [](const char* name) { return [=] { make_observer(name, {}, kTick); }; };
+  EXPECT_THAT(make("legs=com_eso,com=com_eso"), ThrowsMessage<OptionError>(HasSubstr("com_eso cannot be legs")));
+  EXPECT_THAT(make("legs=eso,com=eso"),
+              ThrowsMessage<OptionError>(HasSubstr("eso cannot be com; there are: com_wrench, momentum_com, ")));
+  EXPECT_THAT(make("legs=oracle_legs,com=com_eso"), ThrowsMessage<OptionError>(HasSubstr("oracle_legs cannot be")));
+  EXPECT_THAT(make("legs=magic,com=com_eso"), ThrowsMessage<OptionError>(HasSubstr("no observer \"magic\"")));
+}
+
+TEST(PairName, HasExactlyTwoPartsInOrder) {
+  const auto pair = parse_pair_name("legs=a,com=b");
+  ASSERT_TRUE(pair.has_value());
+  EXPECT_EQ(pair->legs, "a");
+  EXPECT_EQ(pair->com, "b");
+  for (const char* none : {"", "legs=a", "com=b,legs=a", "legs=a,com=b,x=1", "legs=a,b", "momentum", "legs=a;com=b"}) {
+    EXPECT_FALSE(parse_pair_name(none).has_value()) << none;
+  }
+}
+
 TEST(PairObserver, RefusesOptionsWithTheNameOfThePart) {
   const auto make = [](const char* key, const OptionValue& value) {
     return [=] { make_observer("momentum_com", {{key, value}}, kTick); };
