@@ -185,7 +185,9 @@ ModelTerms standing_robot(const Scenario& s) {
 std::vector<ObserverConfig> requested(const Arguments& arguments, double dt) {
   std::vector<std::string> names = arguments.observers;
   if (names.empty()) {
-    for (const ObserverInfo& info : built_in_observers()) names.emplace_back(info.name);
+    for (const ObserverInfo& info : built_in_observers()) {
+      if (!info.oracle) names.emplace_back(info.name);  // an oracle is told the truth by a trial
+    }
   }
   const std::vector<std::string> profiles = arguments.profiles.empty() ? list_profiles() : arguments.profiles;
   std::vector<ObserverConfig> configs;

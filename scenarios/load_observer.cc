@@ -117,6 +117,7 @@ const Node* own_table(const Node& profile, const ObserverInfo& info, bool plugin
 Node profile_table(const Node& profile, const ObserverInfo& info, bool plugin, const Place& place) {
   Node table{Table{}, place};
   if (!estimates(info)) return table;
+  if (plugin && own_table(profile, info, plugin) == nullptr) return table;  // its author's gains and default routing
   if (const Node* kind = profile.find(kind_of(info))) table.value = kind->value;
   if (const auto pair = parse_pair_name(info.name)) {
     for (const auto& [part, name] : {std::pair(kOfLegs, pair->legs), std::pair(kOfCom, pair->com)}) {

@@ -12,6 +12,7 @@ namespace dob {
 namespace {
 
 struct Walk {
+  const char* name;
   const char* scenario;
   const char* planner;
   double duration;  // [s]
@@ -53,10 +54,11 @@ TEST_P(ControlTick, AllocatesNothingAfterReset) {
 
 // Once a whole trial of case 1, then the other planners and the crawl.
 INSTANTIATE_TEST_SUITE_P(Walks, ControlTick,
-                         ::testing::Values(Walk{"case1/tip_lateral", "zmp", 45.8},
-                                           Walk{"case1/tip_lateral", "spline", 3.0},
-                                           Walk{"case1/tip_lateral", "paper_split", 3.0},
-                                           Walk{"crawl/tip_lateral", "zmp", 5.0}));
+                         ::testing::Values(Walk{"WholeTrial", "case1/tip_lateral", "zmp", 45.8},
+                                           Walk{"Spline", "case1/tip_lateral", "spline", 3.0},
+                                           Walk{"PaperSplit", "case1/tip_lateral", "paper_split", 3.0},
+                                           Walk{"Crawl", "crawl/tip_lateral", "zmp", 5.0}),
+                         [](const auto& walk) { return walk.param.name; });
 
 }  // namespace
 }  // namespace dob
