@@ -43,8 +43,8 @@ struct MotionReference {
   Motion<Vec3> com;           // [m, m/s, m/s^2]
   Mat3 R_WB;                  // trunk attitude
   Vec3 omega;                 // [rad/s]
-  Vec3 alpha;                 // [rad/s^2]
-  Vec2 path;                  // [m] where the commanded path says the CoM should be, never re-planned
+  Vec3 alpha = Vec3::Zero();  // [rad/s^2]
+  Vec2 path = Vec2::Zero();   // [m] where the commanded path says the CoM should be, never re-planned
   PerLeg<Motion<Vec3>> foot;  // sphere centre; meaningful for legs that do not stand
   PerLeg<Vec3> foothold;      // [m] planned sphere centre at the last (or present) landing, on the ground
   PerLeg<bool> clamped{};     // that foothold was out of the leg's reach and has been moved
