@@ -245,8 +245,8 @@ void MotionPlanner::plan_attitude(double t, double duration, const ModelTerms& m
   attitude_duration_ = duration;
 }
 
-// The tilt's rates are those of its rotation vector, which are an angular velocity and acceleration for small tilts:
-// within 1 % up to 0.2 rad.
+// The rates of a rotation vector are an angular velocity and acceleration about one fixed axis; otherwise they are off
+// by up to half the tilt (tilt x rate / 2): 10 % at 0.2 rad.
 void MotionPlanner::update_attitude(double t) noexcept {
   const PathPoint now = path_.at(path_time(t));
   const Motion<Vec3> tilt =
