@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dob {
 
@@ -28,6 +29,19 @@ struct CellMetrics {
   long qp_failures = 0;       // solves that did not end optimal; the fallback was used
 };
 
+// The metrics of a trial up to a moment: what a comparison with a trial that ended earlier needs.
+struct MetricsCheckpoint {
+  double t = 0.0;  // [s]
+  std::optional<double> com_error_max_m, com_error_rms_m, path_error_max_m, foot_error_max_m, grf_error_mean_N;
+};
+
+// An observer that saw what the cell's observer saw and changed nothing.
+struct ShadowResult {
+  std::string observer, profile;
+  std::optional<double> estimate_rmse_N, joint_estimate_rmse_Nm;
+  std::optional<double> com_force_rmse_N, com_moment_rmse_Nm;
+};
+
 struct CellResult {
   CellKey key;
   Outcome outcome = Outcome::kError;
@@ -36,6 +50,8 @@ struct CellResult {
   double wall_s = 0.0;           // [s] of the whole trial
   std::uint64_t state_hash = 0;  // of every state of the trajectory, bit for bit
   CellMetrics metrics;
+  std::vector<MetricsCheckpoint> checkpoints;  // in the order of time
+  std::vector<ShadowResult> shadows;
 };
 
 }  // namespace dob
