@@ -1,14 +1,18 @@
-// What every observer has to do, whatever its method: one suite over the factory's list. (That none allocates is seen
-// in allocation_test.cc, which counts.)
+// What every observer has to do, whatever its method and wherever it comes from: one suite over the factory's list and
+// over plugins. (That none allocates is seen in allocation_test.cc, which counts.)
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <functional>
 #include <limits>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "observers/factory.h"
+#include "observers/plugin.h"
 #include "test/observers/free_flight.h"
 #include "test/observers/ideal_plant.h"
 
@@ -24,10 +28,19 @@ using test::IdealPlant;
 constexpr double kTicks[] = {0.5e-3, 1e-3, 2.5e-3};  // [s]
 constexpr double kRounding = 1e-9;                   // [N m] or [N], of momenta up to 60 and torques up to 30
 
-// The suite's members. An observer from elsewhere joins by its ObserverInfo (name, what it estimates, how it is made).
+// The suite's members: every built-in observer, the example plugin and one more, and the plugins that its user names:
+//     DOB_CONFORMANCE_PLUGINS=./mine.so:./other.so build/bin/observers_test --gtest_filter='*Conformance*'
 std::vector<ObserverInfo> observers_under_test() {
   const auto built_in = built_in_observers();
-  return {built_in.begin(), built_in.end()};
+  std::vector<ObserverInfo> all(built_in.begin(), built_in.end());
+  for (const char* plugin : {"pi_momentum.so", "first_order.so"}) {
+    all.push_back(load_plugin(std::filesystem::path(DOB_PLUGIN_DIR) / plugin));
+  }
+  if (const char* named = std::getenv("DOB_CONFORMANCE_PLUGINS")) {
+    std::istringstream list(named);
+    for (std::string file; std::getline(list, file, ':');) all.push_back(load_plugin(file));
+  }
+  return all;
 }
 
 // A robot with legs that bear on the ground or fly, in motion, with torques that change from tick to tick.
@@ -103,6 +116,7 @@ const std::vector<StepResponse>& step_responses() {
       {.observer = "momentum_exact", .legs = first_order(25.0)},
       {.observer = "com_momentum_exact", .legs = first_order(25.0)},
       {.observer = "contact_consistent", .legs = first_order(25.0)},
+      {.observer = "first_order", .legs = first_order_euler(50.0)},  // the plugin's
       {.observer = "eso", .legs = double_pole},
       {.observer = "com_eso", .legs = double_pole},
       {.observer = "direct", .legs = [](double dt, int k) { return butterworth(25.0, k * dt); }},
@@ -371,7 +385,9 @@ TEST_P(Conformance, FindsThePushOnEachFootAlongEachAxis) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Observers, Conformance, testing::ValuesIn(observers_under_test()),
-                         [](const auto& member) { return std::string(member.param.name); });
+                         [](const auto& member) {  // two plugins may have one name
+                           return std::string(member.param.name) + "_" + std::to_string(member.index);
+                         });
 
 // What a tick cannot hold is refused there, with the largest tick that could.
 TEST(Gains, ThatATickCannotHoldAreRefusedThere) {
