@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "bench/build_info.h"
 #include "bench/commands.h"
 #include "bench/tuning.h"
 #include "results/store.h"
@@ -40,6 +41,7 @@ std::string search_log(const std::vector<TuningResult>& results) {
 int run(Arguments& arguments) {
   for (const std::string& observer : arguments.observers) load_tuning_space(observer);  // all or nothing
   const TuningProcedure procedure = load_tuning_procedure();
+  const BuildInfo build = build_info();
   std::filesystem::create_directories(arguments.out);
   arguments.options.progress = ::isatty(STDERR_FILENO) == 1;
   std::vector<ObserverConfig> best;
@@ -59,7 +61,11 @@ int run(Arguments& arguments) {
         1e3 * results.front().com_error_max, 1e3 * results.front().foot_error_max);
     best.push_back(load_observer(winner.specification, procedure.profile));
     // After every observer, so that an interrupted search keeps what it has found.
-    write(arguments.out / "tuned.toml", profile_toml(best));
+    write(arguments.out / "tuned.toml",
+          fmt::format("# Each observer's best of {} candidates by the procedure in config/tuning.toml. Written by\n"
+                      "#   {}\n# with dobbench {}, commit {}; the searches' logs: results/tuning/.\n\n{}",
+                      arguments.budget, arguments.options.command_line, build.version, build.commit,
+                      profile_toml(best, procedure.profile)));
   }
   fmt::print("profile: {}\n", (arguments.out / "tuned.toml").string());
   return kExitOk;

@@ -16,6 +16,7 @@
 #include "scenarios/document.h"
 #include "scenarios/gain_keys.h"
 #include "scenarios/loader.h"
+#include "scenarios/profile_kinds.h"
 #include "scenarios/reader.h"
 
 namespace dob {
@@ -75,12 +76,6 @@ Node parse_specification(std::string_view text, const Place& place) {
   return document;
 }
 
-// Tables of a profile for all observers that estimate the legs, the CoM, or both: their routing. A name of
-// [NAME.routing] goes before it.
-constexpr const char* kOfLegs = "legs";
-constexpr const char* kOfCom = "com";
-constexpr const char* kOfBoth = "pair";
-
 const char* kind_of(const ObserverInfo& info) {
   if (info.estimates_legs && info.estimates_com) return kOfBoth;
   return info.estimates_legs ? kOfLegs : kOfCom;
@@ -97,7 +92,7 @@ void check_profile(const Node& profile) {
   for (const Entry& e : table_of(profile, "")) {
     table_of(e.node, e.key);
     if (e.key == kPlugins) continue;
-    if (e.key == kOfLegs || e.key == kOfCom || e.key == kOfBoth) {
+    if (std::find(kRoutedKinds.begin(), kRoutedKinds.end(), e.key) != kRoutedKinds.end()) {
       check_kind(e.node, e.key);
     } else if (!estimates(find_observer(e.key, e.node.place))) {
       throw InputError(e.node.place, e.key, "this observer estimates nothing; a profile has nothing to say about it");
@@ -204,7 +199,8 @@ ObserverConfig load_observer(std::string_view specification, const std::string& 
   const Node document = parse_file(profile_file(profile));
   check_profile(document);
   Node table = profile_table(document, info, plugin, command);
-  const bool in_profile = !table_of(table, "").empty();
+  // An oracle has no gains, and its kind's routing is the same in every profile: one row, not one for each.
+  const bool in_profile = !table_of(table, "").empty() && !(info.oracle && document.find(info.name) == nullptr);
   if (!overrides.empty()) {
     const Node overlay = parse_specification(overrides, command);
     drop_replaced_gains(table, overlay);

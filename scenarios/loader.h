@@ -50,11 +50,13 @@ std::string resolved_toml(const ScenarioRequest& request, std::string_view varia
 // (`routing.torque_36=false`, lists as `gains=1.0;2.0`). A profile may give the routing for a kind of estimate
 // ([legs.routing], [com.routing], [pair.routing] for both, and for pairs), over which that of an observer's own table
 // is laid; the options of a pair's parts are those of their own tables. An observer that the profile does not mention,
-// or that estimates nothing, gets its built-in defaults and the profile "-". It is made once for a tick of dt [s], so
-// that what it refuses (unknown options, unstable gains) is refused here.
+// or that estimates nothing, gets its built-in defaults and the profile "-"; so does an oracle, with its kind's
+// routing. It is made once for a tick of dt [s], so that what it refuses (unknown options, unstable gains) is refused
+// here.
 ObserverConfig load_observer(std::string_view specification, const std::string& profile, double dt = SimOptions{}.dt);
 
-// A profile as text: a table per observer with its options and its routing, which load_observer() reads back.
-std::string profile_toml(const std::vector<ObserverConfig>& observers);
+// A profile as text: a table per observer with its options and its routing, which load_observer() reads back; the
+// routing of kinds is that of `base`, another profile.
+std::string profile_toml(const std::vector<ObserverConfig>& observers, const std::string& base);
 
 }  // namespace dob

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include "scenarios/data_directory.h"
 #include "scenarios/document.h"
 #include "scenarios/loader.h"
+#include "scenarios/profile_kinds.h"
 
 namespace dob {
 namespace {
@@ -44,8 +46,12 @@ const char* word(Routing::WrenchSource source) {
 
 }  // namespace
 
-std::string profile_toml(const std::vector<ObserverConfig>& observers) {
+std::string profile_toml(const std::vector<ObserverConfig>& observers, const std::string& base) {
   Node document{Table{}, {}};
+  const Node base_document = parse_file(profile_file(base));
+  for (const char* kind : kRoutedKinds) {
+    if (const Node* routing = base_document.find(kind)) set(document, kind, *routing);
+  }
   for (const ObserverConfig& o : observers) {
     for (const auto& [key, value] : o.options) {
       set(document, fmt::format("{}.{}", o.observer, key), std::visit(ToNode{}, value));

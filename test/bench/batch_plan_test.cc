@@ -11,10 +11,11 @@ namespace {
 
 TEST(BatchPlan, AnObserverWithoutGainsIsRunOnceWhateverTheProfiles) {
   const BatchPlan plan = plan_batch({.scenarios = {"undisturbed"}, .observers = {"none", "momentum"}});
-  ASSERT_EQ(plan.cells.size(), 3U);
+  ASSERT_EQ(plan.cells.size(), 4U);
   EXPECT_EQ(plan.cells[0].key.profile, "-");
   EXPECT_EQ(plan.cells[1].key.profile, "matched");
   EXPECT_EQ(plan.cells[2].key.profile, "paper");
+  EXPECT_EQ(plan.cells[3].key.profile, "tuned");
 }
 
 TEST(BatchPlan, CellsAreTheProductOfTheAxesAndUnique) {

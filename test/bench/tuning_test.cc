@@ -77,10 +77,14 @@ TEST(Tuning, ATunedProfileReadsBackAsTheObserversItWasMadeOf) {
   const ScratchFiles files;
   const std::filesystem::path profiles = files.directory() / "config" / "profiles";
   std::filesystem::create_directories(profiles);
-  std::ofstream(profiles / "tuned.toml") << profile_toml({one});
+  std::ofstream(profiles / "tuned.toml") << profile_toml({one}, "matched");
   ::setenv("DOBBENCH_SCENARIOS", files.directory().c_str(), 1);
   const ObserverConfig back = load_observer("momentum_com", "tuned");
+  const ObserverConfig pair = load_observer("legs=kalman,com=com_eso", "tuned");
   ::unsetenv("DOBBENCH_SCENARIOS");
+  const Routing of_pairs = load_observer("legs=kalman,com=com_eso", "matched").routing;
+  EXPECT_EQ(pair.routing.dynamics_18, of_pairs.dynamics_18);
+  EXPECT_EQ(pair.routing.swing_31, of_pairs.swing_31);
   EXPECT_EQ(back.options, one.options);
   EXPECT_EQ(back.routing.swing_31, Routing::Swing::kDirect);
   EXPECT_EQ(back.routing.dynamics_18, one.routing.dynamics_18);

@@ -36,8 +36,19 @@ MomentumGains gains_of(const ObserverConfig& config) {
   return scale(options.gains, options.gain_scale);
 }
 
-TEST(Profiles, AreThePaperAndTheMatchedOne) {
-  EXPECT_THAT(list_profiles(), ElementsAre("matched", "paper"));
+TEST(Profiles, AreThePaperTheMatchedAndTheTunedOne) {
+  EXPECT_THAT(list_profiles(), ElementsAre("matched", "paper", "tuned"));
+}
+
+// That is why an oracle is one row and not one for each profile.
+TEST(Profiles, RouteAnOracleTheSameWay) {
+  for (const char* oracle : {"oracle_legs", "oracle_full"}) {
+    const ObserverConfig one = load_observer(oracle, "matched");
+    EXPECT_EQ(one.profile, "-");
+    for (const std::string& profile : list_profiles()) {
+      EXPECT_EQ(profile_toml({load_observer(oracle, profile)}, "matched"), profile_toml({one}, "matched")) << profile;
+    }
+  }
 }
 
 TEST(Profiles, LoadForEveryObserver) {
@@ -157,7 +168,7 @@ TEST(Profiles, UseTheComEstimateOfThePairInBothWrenchAndDynamics) {
   for (const std::string& profile : list_profiles()) {
     const Routing routing = load_observer("momentum_com", profile).routing;
     EXPECT_TRUE(routing.wrench_17 && routing.dynamics_18 && routing.torque_36) << profile;
-    EXPECT_EQ(routing.swing_31, Routing::Swing::kProjected) << profile;
+    EXPECT_NE(routing.swing_31, Routing::Swing::kOff) << profile;
   }
 }
 
@@ -278,7 +289,7 @@ TEST(LoadObserver, RefusesWhatItDoesNotKnow) {
   const std::string names = "; there are: none, momentum, com_wrench, momentum_com, ";
   EXPECT_THAT(error_of("magic"), StartsWith("--observer magic: there is no observer 'magic'" + names));
   EXPECT_THAT(error_of(""), StartsWith("--observer : there is no observer ''" + names));
-  EXPECT_EQ(error_of("momentum", "mine"), "--profile: there is no 'mine'; there are: matched, paper");
+  EXPECT_EQ(error_of("momentum", "mine"), "--profile: there is no 'mine'; there are: matched, paper, tuned");
   EXPECT_THAT(error_of("momentum:gian_scale=2"), AllOf(StartsWith("--observer momentum:gian_scale=2: "),
                                                        HasSubstr("gian_scale"), HasSubstr("no such option")));
   EXPECT_THAT(error_of("momentum:order"), HasSubstr("'order'; allowed: KEY=VALUE"));
