@@ -69,6 +69,11 @@ std::optional<std::size_t> parse_index(std::string_view text) {
   return index;
 }
 
+// Are the keys those of an array's elements: 0, 1, ...?
+bool names_elements(const Table& table) {
+  return !table.empty() && std::all_of(table.begin(), table.end(), [](const Entry& e) { return parse_index(e.key); });
+}
+
 Node& child(Node& parent, std::string_view key, const std::string& path, const Place& place) {
   if (auto* table = std::get_if<Table>(&parent.value)) return entry(*table, key, place);
   auto* array = std::get_if<Array>(&parent.value);
@@ -153,6 +158,10 @@ void erase(Node& table, std::string_view key) {
 void merge(Node& base, const Node& overlay) {
   auto* below = std::get_if<Table>(&base.value);
   const auto* above = std::get_if<Table>(&overlay.value);
+  if (above != nullptr && std::holds_alternative<Array>(base.value) && names_elements(*above)) {
+    for (const Entry& e : *above) merge(child(base, e.key, e.key, e.node.place), e.node);
+    return;
+  }
   if (below == nullptr || above == nullptr) {
     base = overlay;
     return;

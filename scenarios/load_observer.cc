@@ -190,9 +190,10 @@ Routing read_routing(const Node& node, const std::string& path) {
 
 }  // namespace
 
-ObserverConfig load_observer(std::string_view specification, const std::string& profile, double dt) {
+ObserverConfig load_observer(std::string_view specification, const std::string& profile, double dt,
+                             const Place& place) {
   const auto [name, overrides] = split(specification);
-  const Place command{fmt::format("--observer {}", specification)};
+  const Place command = place.line > 0 ? place : Place{fmt::format("--observer {}", specification)};
   const bool plugin = is_plugin_path(name);
   const ObserverInfo info = find_observer_or_pair(name, command);
   const std::vector<std::string> profiles = profile_names();
