@@ -74,6 +74,12 @@ std::string resolved_toml(const ScenarioRequest& request, std::string_view varia
 ObserverConfig load_observer(std::string_view specification, const std::string& profile, double dt = SimOptions{}.dt,
                              const Place& place = {});
 
+// Is the TOML file a profile, tables of observers, rather than a scenario?
+bool is_profile(const std::filesystem::path& file);
+
+// Every built-in observer that estimates something, with what the profile in this file makes of it.
+std::vector<ObserverConfig> load_profile(const std::filesystem::path& file);
+
 // A profile as text: a table per observer with its options and its routing, which load_observer() reads back.
 std::string profile_toml(const std::vector<ObserverConfig>& observers);
 

@@ -9,11 +9,12 @@ namespace dob {
 
 class Reader;
 
-// Reads everything but the keys that scenarios/scenario_source.h takes out of a file; loads the robot's description, too, because points and postures are
-// checked against it. Throws InputError for the first thing that is wrong.
+// Reads everything but the keys that scenarios/scenario_source.h takes out of a file; loads the robot's description,
+// too, because points and postures are checked against it. Throws InputError for the first thing that is wrong.
 Scenario read_scenario(const Node& document);
 
-// One [[disturbance]] of the document, added to the scenario; the foot is the contact sphere's centre of `robot`.
+// One [[disturbance]] of the document, added to the scenario, whose gait and tick are read already; the foot is the
+// contact sphere's centre of `robot`.
 void read_disturbance(Reader& reader, const RobotDescription& robot, Scenario& scenario);
 
 }  // namespace dob
