@@ -87,6 +87,22 @@ Node& child(Node& parent, std::string_view key, const std::string& path, const P
   return (*array)[*index];
 }
 
+// `path` of the two nodes, with a dot behind it; for messages.
+void merge_at(Node& base, const Node& overlay, const std::string& path) {
+  auto* below = std::get_if<Table>(&base.value);
+  const auto* above = std::get_if<Table>(&overlay.value);
+  if (above != nullptr && std::holds_alternative<Array>(base.value) && names_elements(*above)) {
+    for (const Entry& e : *above) merge_at(child(base, e.key, path + e.key, e.node.place), e.node, path + e.key + ".");
+    return;
+  }
+  if (below == nullptr || above == nullptr) {
+    base = overlay;
+    return;
+  }
+  base.place = overlay.place;
+  for (const Entry& e : *above) merge_at(entry(*below, e.key, e.node.place), e.node, path + e.key + ".");
+}
+
 }  // namespace
 
 InputError::InputError(const Place& place, const std::string& key, const std::string& message)
@@ -156,18 +172,7 @@ void erase(Node& table, std::string_view key) {
 }
 
 void merge(Node& base, const Node& overlay) {
-  auto* below = std::get_if<Table>(&base.value);
-  const auto* above = std::get_if<Table>(&overlay.value);
-  if (above != nullptr && std::holds_alternative<Array>(base.value) && names_elements(*above)) {
-    for (const Entry& e : *above) merge(child(base, e.key, e.key, e.node.place), e.node);
-    return;
-  }
-  if (below == nullptr || above == nullptr) {
-    base = overlay;
-    return;
-  }
-  base.place = overlay.place;
-  for (const Entry& e : *above) merge(entry(*below, e.key, e.node.place), e.node);
+  merge_at(base, overlay, "");
 }
 
 void set(Node& document, const std::string& path, const Node& value) {

@@ -104,7 +104,7 @@ TEST(Variants, MayChangeElementsOfAListByTheirNumber) {
   EXPECT_EQ(path[0].speed, 0.12);
   EXPECT_EQ(path[1].speed, 0.05);
   EXPECT_EQ(path[1].duration, 1.0);
-  EXPECT_EQ(error_of(files, "mine.toml/past"), "mine.toml:11:6: 2: no element '2'; there are 2, counted from 0");
+  EXPECT_EQ(error_of(files, "mine.toml/past"), "mine.toml:11:6: path.2: no element '2'; there are 2, counted from 0");
 }
 
 TEST(CellsOf, NamesTheTrialsOfAnotherScenario) {
