@@ -11,7 +11,7 @@ mkdir -p "$out"
 run() {
   name=$1 specification=$2
   shift 2
-  for set in "case1/knee_lateral case1/tip_lateral:1" "random_push:4"; do
+  for set in "case1/knee_lateral case1/tip_lateral:1" "case4:4"; do
     # shellcheck disable=SC2086  # a list of scenarios
     "$bin" run ${set%:*} --observer "$specification" --profile matched --gains paper --gains stiff --seeds "${set#*:}" \
       --out "$out/$name/${set#*:}" "$@" >/dev/null

@@ -13,18 +13,42 @@
 namespace dob {
 namespace {
 
-std::vector<std::string> or_all_scenarios(const std::vector<std::string>& asked) {
+std::vector<std::string> or_paper_set(const std::vector<std::string>& asked) {
   if (!asked.empty()) return asked;
   std::vector<std::string> names;
-  for (const ScenarioInfo& info : list_scenarios()) names.push_back(info.name);
+  for (const ScenarioInfo& info : list_scenarios()) {
+    if (info.set == ScenarioSet::kPaper) names.push_back(info.name);
+  }
   return names;
 }
 
-std::vector<std::string> or_all_observers(const std::vector<std::string>& asked) {
-  if (!asked.empty()) return asked;
-  std::vector<std::string> names;
-  for (const ObserverInfo& info : built_in_observers()) names.emplace_back(info.name);
-  return names;
+// What a scenario is run with.
+struct Lineup {
+  std::vector<WrittenText> observers;
+  std::vector<std::string> profiles;
+};
+
+// A scenario that is about certain observers brings them along, unless it was named together with others.
+Lineup lineup_of(const std::string& scenario, const BatchRequest& request) {
+  const ScenarioInfo info = scenario_info(scenario);
+  const bool named = !request.scenarios.empty();
+  Lineup lineup;
+  if (!info.observers.empty() && !(named && !request.observers.empty())) {
+    lineup.observers = info.observers;
+    const bool own_profiles = !(named && !request.profiles.empty());
+    for (const WrittenText& profile : info.profiles) {
+      if (own_profiles) lineup.profiles.push_back(profile.text);
+    }
+  }
+  if (lineup.observers.empty()) {
+    for (const std::string& asked : request.observers) lineup.observers.push_back({asked, {}});
+  }
+  if (lineup.observers.empty()) {
+    for (const ObserverInfo& info_of : built_in_observers())
+      lineup.observers.push_back({std::string(info_of.name), {}});
+  }
+  if (lineup.profiles.empty()) lineup.profiles = request.profiles.empty() ? list_profiles() : request.profiles;
+  return lineup;
 }
 
 // What loading cannot see: a standing pose that the legs cannot reach, for example.
@@ -49,23 +73,25 @@ void require_one_meaning(const ObserverConfig& observer, std::map<std::string, s
 
 BatchPlan plan_batch(const BatchRequest& request) {
   BatchPlan plan;
-  const std::vector<std::string> profiles = request.profiles.empty() ? list_profiles() : request.profiles;
   const std::vector<std::string> gain_sets = request.gains.empty() ? std::vector<std::string>{"paper"} : request.gains;
   const std::string overrides = fmt::format("{}", fmt::join(request.overrides, "; "));
   std::set<CellKey> planned;
+  std::set<std::string> resolved;             // names of the resolved files
   std::map<std::string, std::string> called;  // label in the tables -> observer
-  for (const std::string& name : or_all_scenarios(request.scenarios)) {
+  for (const std::string& name : or_paper_set(request.scenarios)) {
+    const Lineup lineup = lineup_of(name, request);
     for (const std::string& gains : gain_sets) {
       const ScenarioRequest wanted{name, gains, request.planner, request.overrides};
       for (const Scenario& scenario : load_scenarios(wanted)) {
         require_runnable(scenario);
         const std::string file =
             fmt::format("{}{}{}_{}", scenario.name, scenario.variant.empty() ? "" : "_", scenario.variant, gains);
-        plan.resolved.push_back({file, resolved_toml(wanted, scenario.variant)});
+        if (resolved.insert(file).second) plan.resolved.push_back({file, resolved_toml(wanted, scenario.variant)});
         plan.scenarios.push_back(scenario);
-        for (const std::string& specification : or_all_observers(request.observers)) {
-          for (const std::string& profile : profiles) {
-            const ObserverConfig observer = load_observer(specification, profile, scenario.sim.dt);
+        for (const WrittenText& specification : lineup.observers) {
+          for (const std::string& profile : lineup.profiles) {
+            const ObserverConfig observer =
+                load_observer(specification.text, profile, scenario.sim.dt, specification.place);
             require_one_meaning(observer, called);
             for (int seed = request.first_seed; seed <= request.last_seed; ++seed) {
               const CellKey key{scenario.name,  scenario.variant,

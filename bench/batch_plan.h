@@ -11,8 +11,10 @@
 namespace dob {
 
 struct BatchRequest {
-  std::vector<std::string> scenarios;  // empty: every shipped one
-  std::vector<std::string> observers;  // specifications; empty: every built-in one
+  std::vector<std::string> scenarios;  // empty: the paper's set
+  // Specifications; empty: the scenario's own, else every built-in one. A batch that names no scenario runs those that
+  // are about certain observers with their own whatever is asked here; likewise with the profiles that belong to them.
+  std::vector<std::string> observers;
   std::vector<std::string> profiles;   // empty: every shipped one
   std::vector<std::string> gains;      // gain sets of the controller; empty: "paper"
   std::string planner;                 // empty: the scenario's own

@@ -17,7 +17,13 @@ using Json = nlohmann::ordered_json;
 Json scenarios() {
   Json list = Json::array();
   for (const ScenarioInfo& info : list_scenarios()) {
-    list.push_back({{"name", info.name}, {"summary", info.summary}, {"variants", info.variants}});
+    Json observers = Json::array();
+    for (const WrittenText& specification : info.observers) observers.push_back(specification.text);
+    list.push_back({{"name", info.name},
+                    {"set", to_string(info.set)},
+                    {"summary", info.summary},
+                    {"variants", info.variants},
+                    {"observers", observers}});
   }
   return list;
 }
@@ -50,7 +56,8 @@ Json solvers() {
 void print_section(const std::string& title, const Json& list) {
   fmt::print("{}\n", title);
   for (const Json& item : list) {
-    fmt::print("  {:<18} {}\n", item["name"].get<std::string>(), item.value("summary", ""));
+    const std::string set = item.contains("set") ? fmt::format("{:<6} ", item["set"].get<std::string>()) : "";
+    fmt::print("  {:<18} {}{}\n", item["name"].get<std::string>(), set, item.value("summary", ""));
     const auto variants = item.value("variants", std::vector<std::string>{});
     if (!variants.empty()) fmt::print("  {:<18} variants: {}\n", "", fmt::join(variants, ", "));
   }

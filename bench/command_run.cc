@@ -64,8 +64,9 @@ Command add_run_command(CLI::App& app, const std::string& command_line) {
   options.command_line = command_line;
   options.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   CLI::App* command = app.add_subcommand("run", "run scenarios with observers and print the comparison table");
-  command->add_option("scenario", request.scenarios, "NAME, NAME/VARIANT or FILE.toml; every shipped one by default");
-  command->add_option("--observer", request.observers, "NAME[:key=value,...]; every built-in one by default")
+  command->add_option("scenario", request.scenarios, "NAME, NAME/VARIANT or FILE.toml; the paper's set by default");
+  command
+      ->add_option("--observer", request.observers, "NAME[:key=value,...]; the scenario's own, else every built-in one")
       ->allow_extra_args(false);
   command->add_option("--profile", request.profiles, "gains and routing of the observers; every one by default")
       ->allow_extra_args(false);

@@ -17,6 +17,7 @@ inline constexpr int kExitSignal = 128;
 using Command = std::function<int()>;
 
 Command add_analyse_command(CLI::App& app);
+Command add_check_command(CLI::App& app);
 Command add_list_command(CLI::App& app);
 Command add_run_command(CLI::App& app, const std::string& command_line);
 Command add_table_command(CLI::App& app);

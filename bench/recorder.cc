@@ -48,7 +48,6 @@ Vec3 force_at_point(const Eigen::Matrix<double, 3, 12>& J, const Vec12& torque) 
 }  // namespace
 
 Recorder::Recorder(const RobotDescription& robot, const Scenario& scenario) : dt_(scenario.sim.dt) {
-  for (const Disturbance& d : scenario.disturbances) profiles_.push_back(d.profile);
   for (int j = 0; j < kJoints; ++j) {
     torque_limit_[j] = std::min(robot.legs[j / 3].joints[j % 3].effort_limit, scenario.controller.torque_limit);
   }
@@ -56,7 +55,7 @@ Recorder::Recorder(const RobotDescription& robot, const Scenario& scenario) : dt
 
 const TickRecord& Recorder::record(double t, const ModelTerms& m, const LocomotionController& controller,
                                    const WbcTick& command, const StepResult& step, const Estimate& estimate,
-                                   std::span<const AppliedForce> forces) noexcept {
+                                   const DisturbanceSchedule& disturbances) noexcept {
   TickRecord& r = record_;
   const MotionReference& reference = controller.reference();
   const GaitState& gait = controller.gait();
@@ -80,15 +79,10 @@ const TickRecord& Recorder::record(double t, const ModelTerms& m, const Locomoti
   r.foot_force_commanded = controller.solution().foot_force;
   r.joint_torque = step.joint_torque;
   r.saturated_joints = static_cast<int>((step.joint_torque.array().abs() >= torque_limit_.array()).count());
-  r.disturbance_onset = false;
-  r.disturbance_active = false;
-  for (const ForceProfile& profile : profiles_) {
-    const bool active = profile.active(t);
-    r.disturbance_active = r.disturbance_active || active;
-    r.disturbance_onset = r.disturbance_onset || active != (t > 0.0 && profile.active(t - dt_));
-  }
+  r.disturbance_onset = disturbances.changed();
+  r.disturbance_active = disturbances.active();
   record_estimate(estimate);
-  remember_truth(m, forces);
+  remember_truth(m, disturbances.forces());
   r.qp_solved = command.event != QpEvent::kHeld;
   r.qp_status = command.qp_status;
   r.qp_iterations = command.qp_iterations;

@@ -8,6 +8,7 @@
 #include "observers/observer.h"
 #include "results/tick_record.h"
 #include "scenarios/scenario.h"
+#include "sim/disturbance_schedule.h"
 #include "sim/simulator.h"
 
 namespace dob {
@@ -16,11 +17,11 @@ class Recorder {
  public:
   Recorder(const RobotDescription& robot, const Scenario& scenario);
 
-  // The tick at time t [s]: `m` is the model at t, `step` what the simulator did over [t, t + dt] under `forces` (of
-  // the active disturbances), `estimate` the observer's answer to the interval that ended at t.
+  // The tick at time t [s]: `m` is the model at t, `step` what the simulator did over [t, t + dt] under the forces that
+  // `disturbances` has for t, `estimate` the observer's answer to the interval that ended at t.
   const TickRecord& record(double t, const ModelTerms& m, const LocomotionController& controller,
                            const WbcTick& command, const StepResult& step, const Estimate& estimate,
-                           std::span<const AppliedForce> forces) noexcept;
+                           const DisturbanceSchedule& disturbances) noexcept;
 
   // Puts the truth about the interval of the last record into the parts that the estimate says it has: what an oracle
   // stands for.
@@ -31,8 +32,7 @@ class Recorder {
   void record_estimate(const Estimate& estimate) noexcept;
   void remember_truth(const ModelTerms& m, std::span<const AppliedForce> forces) noexcept;
 
-  std::vector<ForceProfile> profiles_;  // of the scenario's disturbances
-  Vec12 torque_limit_;                  // [N m] the robot's or the controller's, whichever is lower
+  Vec12 torque_limit_;  // [N m] the robot's or the controller's, whichever is lower
   double dt_;
   TickRecord record_;
 

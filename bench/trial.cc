@@ -4,6 +4,10 @@
 #include <cmath>
 #include <cstring>
 #include <random>
+#include <stdexcept>
+
+#include <Eigen/LU>
+#include <fmt/format.h>
 
 #include "observers/factory.h"
 #include "results/metrics.h"
@@ -35,8 +39,23 @@ std::uint64_t hash_state(std::uint64_t hash, const RobotState& s) noexcept {
   return hash;
 }
 
-LocomotionOptions locomotion_options(const Scenario& s, const Routing& routing) {
+LocomotionOptions locomotion_options(const Scenario& s, Routing routing) {
+  if (!s.swing_compensation) routing.swing_31 = Routing::Swing::kOff;
   return {s.gait, s.planner, s.controller, routing};
+}
+
+// Share of its planned swing that has passed since each leg's lift-off; negative while it stands.
+PerLeg<double> swing_phase(const GaitState& gait) noexcept {
+  PerLeg<double> phase;
+  for (int l = 0; l < kLegs; ++l) {
+    phase[l] = gait.stands(l) ? -1.0 : gait.swing_time[l] / gait.pattern.swing_duration;
+  }
+  return phase;
+}
+
+std::string never_fired(const Disturbance& d) {
+  return fmt::format("a disturbance waited for phase {} of a swing of {} from {:.3f} s on, and no swing came to it",
+                     d.trigger->phase, kLegNames[static_cast<std::size_t>(d.trigger->leg)], d.profile.start_s);
 }
 
 DisturbanceEstimate for_controller(const Estimate& e) noexcept {
@@ -62,8 +81,8 @@ Trial::Trial(const Scenario& scenario, const ObserverConfig& observer, int seed)
   nominal_height_ = initial.p_WB.z();
   draw_disturbances();
   apply_seed(initial);
-  recorder_ = Recorder(robot_, scenario_);
-  forces_.reserve(scenario_.disturbances.size());
+  disturbances_ = DisturbanceSchedule(scenario_.disturbances);
+  start_moving(initial);
   simulator_.reset(initial);
   model_.compute(initial, *now_);
   observer_->reset(*now_);
@@ -97,6 +116,18 @@ void Trial::apply_seed(RobotState& initial) {
   for (Disturbance& d : scenario_.disturbances) d.profile.start_s += later;
 }
 
+// The trunk moves along x from the start, the feet stand: joint rates that keep the contact points at rest.
+void Trial::start_moving(RobotState& initial) {
+  const double speed = scenario_.robot.initial_speed;
+  if (speed == 0.0) return;
+  const Vec3 velocity = speed * Vec3::UnitX();
+  initial.v_WB += velocity;
+  model_.compute(initial, *now_);
+  for (int l = 0; l < kLegs; ++l) {
+    initial.qd.segment<3>(3 * l) = -now_->contact[l].J_q.partialPivLu().solve(velocity);
+  }
+}
+
 bool Trial::tick() {
   const double t = time();
   ModelTerms& m = *now_;
@@ -105,13 +136,10 @@ bool Trial::tick() {
     fall_reason_ = "non-finite command";
     return false;
   }
-  forces_.clear();
-  for (const Disturbance& d : scenario_.disturbances) {
-    if (d.profile.active(t)) forces_.push_back(d.at(t, m.state));
-  }
+  disturbances_.update(t, swing_phase(controller_.gait()), m.state);
 
-  const StepResult step = simulator_.step(command.torque, forces_);
-  record_ = recorder_.record(t, m, controller_, command, step, estimate_, forces_);
+  const StepResult step = simulator_.step(command.torque, disturbances_.forces());
+  record_ = recorder_.record(t, m, controller_, command, step, estimate_, disturbances_);
 
   std::swap(start_, now_);
   model_.compute(simulator_.state(), *now_);
@@ -152,6 +180,9 @@ CellResult Trial::run(const Sink& sink) {
       result.reason = fall_reason_;
       break;
     }
+  }
+  if (const Disturbance* d = disturbances_.waiting(); d != nullptr && result.outcome == Outcome::kSurvived) {
+    throw std::runtime_error(never_fired(*d));
   }
   result.simulated_s = time();
   result.state_hash = hash;

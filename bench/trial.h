@@ -12,6 +12,7 @@
 #include "results/cell.h"
 #include "robot/model.h"
 #include "scenarios/scenario.h"
+#include "sim/disturbance_schedule.h"
 #include "sim/simulator.h"
 
 namespace dob {
@@ -25,6 +26,8 @@ class Trial {
   using Sink = std::function<void(const TickRecord&)>;
 
   // Runs to the scenario's end or a fall. The result's key holds what the trial knows of it. `sink` sees every tick.
+  // Throws std::runtime_error when it came to its end but a disturbance never came to its trigger: it would be taken
+  // for a trial under that disturbance.
   CellResult run(const Sink& sink = {});
 
   // One control tick and simulation step; false when the robot has fallen. For run() and benchmarks.
@@ -32,7 +35,7 @@ class Trial {
 
   double time() const noexcept { return static_cast<double>(tick_) * scenario_.sim.dt; }  // [s]
   const TickRecord& record() const noexcept { return record_; }
-  std::span<const AppliedForce> forces() const noexcept { return forces_; }  // over the last step
+  std::span<const AppliedForce> forces() const noexcept { return disturbances_.forces(); }  // over the last step
   const LocomotionController& controller() const noexcept { return controller_; }
   const Estimate& estimate() const noexcept { return estimate_; }  // for the next tick
   const ModelTerms& model_terms() const noexcept { return *now_; }
@@ -40,6 +43,7 @@ class Trial {
  private:
   void draw_disturbances();
   void apply_seed(RobotState& initial);
+  void start_moving(RobotState& initial);
   void observe(const SensorReading& reading) noexcept;
   bool has_fallen(const StepResult& step) noexcept;
 
@@ -61,7 +65,7 @@ class Trial {
   ModelTerms* now_ = &terms_[1];
   Vec12 foot_force_ = Vec12::Zero();  // [N] measured over the last step
   Estimate estimate_;
-  std::vector<AppliedForce> forces_;  // of the disturbances that are active over the step
+  DisturbanceSchedule disturbances_;
   long tick_ = 0;
   double nominal_height_ = 0.0;
   const char* fall_reason_ = "";

@@ -69,6 +69,11 @@ std::optional<std::size_t> parse_index(std::string_view text) {
   return index;
 }
 
+// Are the keys those of an array's elements: 0, 1, ...?
+bool names_elements(const Table& table) {
+  return !table.empty() && std::all_of(table.begin(), table.end(), [](const Entry& e) { return parse_index(e.key); });
+}
+
 Node& child(Node& parent, std::string_view key, const std::string& path, const Place& place) {
   if (auto* table = std::get_if<Table>(&parent.value)) return entry(*table, key, place);
   auto* array = std::get_if<Array>(&parent.value);
@@ -80,6 +85,22 @@ Node& child(Node& parent, std::string_view key, const std::string& path, const P
     throw InputError(place, path, fmt::format("no element '{}'; there are {}, counted from 0", key, array->size()));
   }
   return (*array)[*index];
+}
+
+// `path` of the two nodes, with a dot behind it; for messages.
+void merge_at(Node& base, const Node& overlay, const std::string& path) {
+  auto* below = std::get_if<Table>(&base.value);
+  const auto* above = std::get_if<Table>(&overlay.value);
+  if (above != nullptr && std::holds_alternative<Array>(base.value) && names_elements(*above)) {
+    for (const Entry& e : *above) merge_at(child(base, e.key, path + e.key, e.node.place), e.node, path + e.key + ".");
+    return;
+  }
+  if (below == nullptr || above == nullptr) {
+    base = overlay;
+    return;
+  }
+  base.place = overlay.place;
+  for (const Entry& e : *above) merge_at(entry(*below, e.key, e.node.place), e.node, path + e.key + ".");
 }
 
 }  // namespace
@@ -151,14 +172,7 @@ void erase(Node& table, std::string_view key) {
 }
 
 void merge(Node& base, const Node& overlay) {
-  auto* below = std::get_if<Table>(&base.value);
-  const auto* above = std::get_if<Table>(&overlay.value);
-  if (below == nullptr || above == nullptr) {
-    base = overlay;
-    return;
-  }
-  base.place = overlay.place;
-  for (const Entry& e : *above) merge(entry(*below, e.key, e.node.place), e.node);
+  merge_at(base, overlay, "");
 }
 
 void set(Node& document, const std::string& path, const Node& value) {

@@ -50,7 +50,9 @@ Node& entry(Table& table, std::string_view key, const Place& place);
 // Removes the entry of a table, if there is one.
 void erase(Node& table, std::string_view key);
 
-// Puts `overlay` over `base`: tables are merged key by key, everything else, arrays included, is replaced.
+// Puts `overlay` over `base`: tables are merged key by key, everything else, arrays included, is replaced. A table
+// whose keys are numbers is merged into the elements of an array that they count, from 0; throws InputError past its
+// end.
 void merge(Node& base, const Node& overlay);
 
 // Replaces the node at a dotted path (`disturbance.0.amplitude_N`), making tables on the way. Throws InputError

@@ -183,26 +183,17 @@ Routing read_routing(const Node& node, const std::string& path) {
   return routing;
 }
 
-}  // namespace
-
-ObserverConfig load_observer(std::string_view specification, const std::string& profile, double dt) {
+// With what the profile says, under the name it has in the tables.
+ObserverConfig configure(std::string_view specification, const Node& document, const std::string& profile, double dt,
+                         const Place& place) {
   const auto [name, overrides] = split(specification);
-  const Place command{fmt::format("--observer {}", specification)};
   const bool plugin = is_plugin_path(name);
-  const ObserverInfo info = find_observer_or_pair(name, command);
-  const std::vector<std::string> profiles = profile_names();
-  if (std::find(profiles.begin(), profiles.end(), profile) == profiles.end()) {
-    throw InputError({"--profile"}, "",
-                     fmt::format("there is no '{}'; there are: {}", profile, fmt::join(profiles, ", ")));
-  }
-
-  const Node document = parse_file(profile_file(profile));
-  check_profile(document);
-  Node table = profile_table(document, info, plugin, command);
+  const ObserverInfo info = find_observer_or_pair(name, place);
+  Node table = profile_table(document, info, plugin, place);
   // An oracle has no gains, and its kind's routing is the same in every profile: one row, not one for each.
   const bool in_profile = !table_of(table, "").empty() && !(info.oracle && document.find(info.name) == nullptr);
   if (!overrides.empty()) {
-    const Node overlay = parse_specification(overrides, command);
+    const Node overlay = parse_specification(overrides, place);
     drop_replaced_gains(table, overlay);
     merge(table, overlay);
   }
@@ -226,6 +217,43 @@ ObserverConfig load_observer(std::string_view specification, const std::string& 
     throw InputError(table.place, "", error.what());
   }
   return config;
+}
+
+}  // namespace
+
+ObserverConfig load_observer(std::string_view specification, const std::string& profile, double dt,
+                             const Place& place) {
+  const Place written = place.line > 0 ? place : Place{fmt::format("--observer {}", specification)};
+  const std::vector<std::string> profiles = profile_names();
+  if (std::find(profiles.begin(), profiles.end(), profile) == profiles.end()) {
+    throw InputError({"--profile"}, "",
+                     fmt::format("there is no '{}'; there are: {}", profile, fmt::join(profiles, ", ")));
+  }
+  const Node document = parse_file(profile_file(profile));
+  check_profile(document);
+  return configure(specification, document, profile, dt, written);
+}
+
+bool is_profile(const std::filesystem::path& file) {
+  const Node document = parse_file(file);
+  bool observers = false;
+  for (const Entry& e : std::get<Table>(document.value)) {
+    if (e.key == "summary" || e.key == "path" || e.key == "base" || e.key == "cells_of") return false;
+    observers = observers || e.key == kOfLegs || e.key == kOfCom || e.key == kOfBoth || e.key == kPlugins ||
+                find_built_in_observer(e.key) != nullptr;
+  }
+  return observers;
+}
+
+std::vector<ObserverConfig> load_profile(const std::filesystem::path& file) {
+  const Node document = parse_file(file);
+  check_profile(document);
+  std::vector<ObserverConfig> observers;
+  for (const ObserverInfo& info : built_in_observers()) {
+    if (!estimates(info)) continue;
+    observers.push_back(configure(info.name, document, file.stem().string(), SimOptions{}.dt, document.place));
+  }
+  return observers;
 }
 
 }  // namespace dob

@@ -12,22 +12,40 @@
 
 namespace dob {
 
+// Text of a file with the place where it stands.
+struct WrittenText {
+  std::string text;
+  Place place;
+};
+
+// What a batch that names no scenario runs, and what it leaves out.
+enum class ScenarioSet { kPaper, kExtra };
+
+constexpr std::string_view to_string(ScenarioSet set) noexcept {
+  return set == ScenarioSet::kPaper ? "paper" : "extra";
+}
+
 struct ScenarioInfo {
   std::string name;
   std::vector<std::string> variants;  // in the order of the file; empty when it has none
   std::string summary;                // one line
   std::filesystem::path path;
+  ScenarioSet set = ScenarioSet::kExtra;
+  std::vector<WrittenText> observers;  // specifications of the observers that the scenario is about; empty: all
+  std::vector<WrittenText> profiles;   // with which those are run; empty: all
 };
 
 // The shipped ones, sorted by name.
 std::vector<ScenarioInfo> list_scenarios();
+// Of a name or a file, without or with a variant.
+ScenarioInfo scenario_info(const std::string& request);
 std::vector<std::string> list_profiles();
 std::vector<std::string> list_gain_sets();  // in the order of config/gains.toml
 
-// What a user asks for. Layers, the later over the earlier: config/defaults.toml, the scenario's file, its
-// variant, the gain set, the planner, the overrides in their order. Tables are merged key by key, everything
-// else (arrays, so the list of disturbances) is replaced. A file or variant that chooses another robot starts
-// with no posture, as that names the joints of one robot.
+// What a user asks for. Layers, the later over the earlier: config/defaults.toml, the scenario that the file names as
+// its base, the file, its variant, the gain set, the planner, the overrides in their order. Tables are merged key by
+// key; everything else is replaced, arrays too, unless the layer names elements of theirs (`disturbance.0.phase =
+// 0.3`). A file or variant that chooses another robot starts with no posture, as that names the joints of one robot.
 struct ScenarioRequest {
   std::string name;          // "case1", "case1/knee_lateral", "dir/mine.toml" or "dir/mine.toml/VARIANT"
   std::string gains = {};    // a gain set; "": the scenario's own [gains], else the set "paper"
@@ -52,8 +70,15 @@ std::string resolved_toml(const ScenarioRequest& request, std::string_view varia
 // is laid; the options of a pair's parts are those of their own tables. An observer that the profile does not mention,
 // or that estimates nothing, gets its built-in defaults and the profile "-"; so does an oracle, with its kind's
 // routing. It is made once for a tick of dt [s], so that what it refuses (unknown options, unstable gains) is refused
-// here.
-ObserverConfig load_observer(std::string_view specification, const std::string& profile, double dt = SimOptions{}.dt);
+// here. `place`: where the specification was written; of line 0, on the command line.
+ObserverConfig load_observer(std::string_view specification, const std::string& profile, double dt = SimOptions{}.dt,
+                             const Place& place = {});
+
+// Is the TOML file a profile, tables of observers, rather than a scenario?
+bool is_profile(const std::filesystem::path& file);
+
+// Every built-in observer that estimates something, with what the profile in this file makes of it.
+std::vector<ObserverConfig> load_profile(const std::filesystem::path& file);
 
 // A profile as text: a table per observer with its options and its routing, which load_observer() reads back; the
 // routing of kinds is that of `base`, another profile.

@@ -26,6 +26,7 @@ struct RobotConfig {
   std::filesystem::path urdf;             // absolute
   Forward forward = Forward::kMinusY;     // direction of travel in the description's base frame
   std::map<std::string, double> posture;  // [rad] joint name -> seed of the standing pose's inverse kinematics
+  double initial_speed = 0.0;             // [m/s] of the trunk along x at t = 0, over feet that stand still
 };
 
 // A trial ends as a fall when one of these is exceeded, the trunk touches anything, or a state is not finite.
@@ -51,7 +52,8 @@ struct Scenario {
   std::vector<PathSegment> path;
   GaitOptions gait;
   PlannerOptions planner;
-  WbcOptions controller;  // of the gain set
+  WbcOptions controller;           // of the gain set
+  bool swing_compensation = true;  // false: (31) without disturbance, whatever an observer's routing says
   SimOptions sim;
   Terrain terrain;
   SensorNoise noise;

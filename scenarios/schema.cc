@@ -58,6 +58,7 @@ RobotDescription read_robot(Reader& r, RobotConfig& config) {
   r.table("robot", [&](Reader& t) {
     config.urdf = absolute_path(t.text("urdf"), t.place("urdf"));
     config.forward = t.choice("forward", kForward);
+    config.initial_speed = t.number("initial_speed_m_s", between(-10.0, 10.0));
     try {
       robot = load_robot(config.urdf, config.forward);
     } catch (const DescriptionError& error) {
@@ -237,6 +238,7 @@ Scenario read_scenario(const Node& document) {
     s.gait = read_gait(r);
     s.planner = read_planner(r);
     s.controller = read_controller(r, robot);
+    r.table("compensation", [&](Reader& t) { s.swing_compensation = t.flag("swing"); });
     s.sim = read_sim(r);
     s.terrain = read_terrain(r);
     r.each("disturbance", [&](Reader& t) { read_disturbance(t, robot, s); });

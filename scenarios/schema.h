@@ -9,15 +9,12 @@ namespace dob {
 
 class Reader;
 
-// Keys of the top level that a document has beside those of read_scenario(): who it is, and its variants.
-inline constexpr const char* kNameKey = "name";         // optional, "NAME" or "NAME/VARIANT"
-inline constexpr const char* kVariantsKey = "variant";  // table of tables of the same schema
-
-// Reads everything but name and variant; loads the robot's description, too, because points and postures are
-// checked against it. Throws InputError for the first thing that is wrong.
+// Reads everything but the keys that scenarios/scenario_source.h takes out of a file; loads the robot's description,
+// too, because points and postures are checked against it. Throws InputError for the first thing that is wrong.
 Scenario read_scenario(const Node& document);
 
-// One [[disturbance]] of the document, added to the scenario; the foot is the contact sphere's centre of `robot`.
+// One [[disturbance]] of the document, added to the scenario, whose gait and tick are read already; the foot is the
+// contact sphere's centre of `robot`.
 void read_disturbance(Reader& reader, const RobotDescription& robot, Scenario& scenario);
 
 }  // namespace dob

@@ -1,5 +1,6 @@
 #include "sim/disturbance.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -19,14 +20,25 @@ void require(bool allowed, std::string_view field, double value, std::string_vie
   }
 }
 
-void require_valid(const ForceProfile& profile) {
-  const bool sine = profile.kind == ForceProfile::Kind::kSine;
-  require(std::isfinite(profile.amplitude_N), "amplitude_N", profile.amplitude_N, "finite");
-  require(!sine || (std::isfinite(profile.period_s) && profile.period_s > 0.0), "period_s", profile.period_s,
-          "finite and > 0");
-  require(!sine || std::isfinite(profile.phase_rad), "phase_rad", profile.phase_rad, "finite");
-  require(std::isfinite(profile.start_s), "start_s", profile.start_s, "finite");
-  require(profile.duration_s > 0.0, "duration_s", profile.duration_s, "> 0");
+void require_valid(const ForceProfile& p) {
+  using Kind = ForceProfile::Kind;
+  const auto require_frequency = [](std::string_view field, double value) {
+    require(std::isfinite(value) && value >= 0.0, field, value, "finite and >= 0");
+  };
+  require(std::isfinite(p.amplitude_N), "amplitude_N", p.amplitude_N, "finite");
+  require(std::isfinite(p.start_s), "start_s", p.start_s, "finite");
+  require(p.duration_s > 0.0, "duration_s", p.duration_s, "> 0");
+  require(std::isfinite(p.phase_rad), "phase_rad", p.phase_rad, "finite");
+  if (p.kind == Kind::kSine)
+    require(std::isfinite(p.period_s) && p.period_s > 0.0, "period_s", p.period_s, "finite and > 0");
+  if (p.kind == Kind::kRamp)
+    require(std::isfinite(p.ramp_s) && p.ramp_s > 0.0 && p.ramp_s <= p.duration_s, "ramp_s", p.ramp_s,
+            "finite, > 0 and <= duration_s");
+  if (p.kind == Kind::kChirp) {
+    require_frequency("f0_Hz", p.f0_Hz);
+    require_frequency("f1_Hz", p.f1_Hz);
+    require(std::isfinite(p.duration_s), "duration_s", p.duration_s, "finite for a chirp");
+  }
 }
 
 }  // namespace
@@ -38,8 +50,19 @@ bool ForceProfile::active(double t) const noexcept {
 
 double ForceProfile::value(double t) const noexcept {
   if (!active(t)) return 0.0;
-  if (kind == Kind::kConstant) return amplitude_N;
-  return amplitude_N * std::sin(2.0 * std::numbers::pi * (t - start_s) / period_s + phase_rad);
+  const double since = t - start_s;
+  const auto wave = [this](double cycles) { return std::sin(2.0 * std::numbers::pi * cycles + phase_rad); };
+  switch (kind) {
+    case Kind::kConstant:
+      return amplitude_N;
+    case Kind::kSine:
+      return amplitude_N * wave(since / period_s);
+    case Kind::kRamp:
+      return amplitude_N * std::clamp(since / ramp_s, 0.0, 1.0);
+    case Kind::kChirp:
+      return amplitude_N * wave((f0_Hz + 0.5 * (f1_Hz - f0_Hz) * since / duration_s) * since);
+  }
+  return 0.0;
 }
 
 void Disturbance::validate() const {
@@ -48,6 +71,8 @@ void Disturbance::validate() const {
   for (const double coordinate : p_L) require(std::isfinite(coordinate), "p_L", coordinate, "finite");
   const double norm = direction.norm();
   require(std::abs(norm - 1.0) <= kUnitTolerance, "norm of direction", norm, "1");
+  if (trigger)
+    require(trigger->phase >= 0.0 && trigger->phase < 1.0, "phase of the trigger", trigger->phase, "0 to below 1");
 }
 
 AppliedForce Disturbance::at(double t, const RobotState& state) const noexcept {

@@ -60,8 +60,8 @@ void add_planner_benchmarks() {
     })->Unit(benchmark::kMicrosecond);
   };
   // Random pushes with the legs' estimate only: what it does not see throws the CoM about, and ZMP rows become active.
-  add("planner_footstep", "random_push", PlannerKind::kZmp);
-  add("planner_footstep/spline", "random_push", PlannerKind::kSpline);
+  add("planner_footstep", "case4", PlannerKind::kZmp);
+  add("planner_footstep/spline", "case4", PlannerKind::kSpline);
   add("planner_footstep/crawl", "crawl/knee_lateral", PlannerKind::kZmp);
 }
 

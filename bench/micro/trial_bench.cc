@@ -166,7 +166,7 @@ void add_trial_benchmarks() {
   benchmark::RegisterBenchmark("control_tick", control_tick)->Unit(benchmark::kMicrosecond);
   benchmark::RegisterBenchmark("ode_step", ode_step)->Unit(benchmark::kMicrosecond);
   for (const auto& [name, full_name] :
-       {std::pair{"undisturbed", "undisturbed"}, {"case1", "case1/knee_lateral"}, {"random_push", "random_push"}}) {
+       {std::pair{"undisturbed", "undisturbed"}, {"case1", "case1/knee_lateral"}, {"case4", "case4"}}) {
     const std::string scenario_name = full_name;
     benchmark::RegisterBenchmark((std::string("trial/") + name).c_str(),
                                  [scenario_name](benchmark::State& s) { trial_case(s, scenario_name); })

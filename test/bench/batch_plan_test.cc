@@ -1,6 +1,8 @@
 #include "bench/batch_plan.h"
 
+#include <algorithm>
 #include <set>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -24,7 +26,7 @@ TEST(BatchPlan, CellsAreTheProductOfTheAxesAndUnique) {
   request.gains = {"paper", "stiff"};
   request.last_seed = 3;
   const BatchPlan plan = plan_batch(request);
-  EXPECT_EQ(plan.cells.size(), 4U * 2U * 3U);
+  EXPECT_EQ(plan.cells.size(), 6U * 2U * 3U);
   std::set<CellKey> keys;
   for (const PlannedCell& cell : plan.cells) keys.insert(cell.key);
   EXPECT_EQ(keys.size(), plan.cells.size());
@@ -37,6 +39,61 @@ TEST(BatchPlan, ASpecificationsOptionsMakeARowOfTheirOwn) {
   ASSERT_EQ(plan.cells.size(), 2U);
   EXPECT_EQ(plan.cells[1].key.observer, "momentum:gain_scale=5");
   EXPECT_EQ(plan.cells[1].observer.observer, "momentum");
+}
+
+std::set<std::string> scenarios_of(const BatchPlan& plan) {
+  std::set<std::string> names;
+  for (const PlannedCell& cell : plan.cells) names.insert(cell.key.scenario);
+  return names;
+}
+
+std::set<std::string> observers_of(const BatchPlan& plan, const std::string& scenario) {
+  std::set<std::string> names;
+  for (const PlannedCell& cell : plan.cells) {
+    if (cell.key.scenario == scenario) names.insert(cell.key.observer);
+  }
+  return names;
+}
+
+std::size_t cells_of(const BatchPlan& plan, const std::string& scenario) {
+  return static_cast<std::size_t>(std::count_if(plan.cells.begin(), plan.cells.end(),
+                                                [&](const PlannedCell& c) { return c.key.scenario == scenario; }));
+}
+
+TEST(BatchPlan, WithoutAScenarioIsThePapersSetAndNothingElse) {
+  const BatchPlan plan = plan_batch({.observers = {"none"}, .profiles = {"paper"}});
+  const std::set<std::string> names = scenarios_of(plan);
+  for (const char* name : {"order_study", "case1", "case3", "case4", "case4_noise"}) EXPECT_TRUE(names.contains(name));
+  for (const char* name : {"case2", "undisturbed", "crawl", "push_trunk", "chirp_knee"})
+    EXPECT_FALSE(names.contains(name)) << name;
+  // Case 2 brings its three observers into case 1, whose cells it shares; the others run what was asked for.
+  EXPECT_EQ(observers_of(plan, "case1"), (std::set<std::string>{"none", "momentum", "com_wrench", "nonlinear_dob"}));
+  EXPECT_EQ(observers_of(plan, "case3"), std::set<std::string>{"none"});
+  std::set<CellKey> keys;
+  for (const PlannedCell& cell : plan.cells) keys.insert(cell.key);
+  EXPECT_EQ(keys.size(), plan.cells.size());
+  std::set<std::string> files;
+  for (const ResolvedScenario& file : plan.resolved) files.insert(file.name);
+  EXPECT_EQ(files.size(), plan.resolved.size());
+}
+
+// Two variants, eleven observers, one profile that they are meant for.
+TEST(BatchPlan, AScenarioAboutCertainObserversRunsWithThoseAndOncePerObserver) {
+  EXPECT_EQ(cells_of(plan_batch({.observers = {"none"}}), "order_study"), 2U * 11U);
+  EXPECT_EQ(plan_batch({.scenarios = {"order_study"}}).cells.size(), 2U * 11U);
+  const BatchPlan asked =
+      plan_batch({.scenarios = {"order_study"}, .observers = {"momentum"}, .profiles = {"matched"}});
+  ASSERT_EQ(asked.cells.size(), 2U);
+  EXPECT_EQ(asked.cells[0].key.observer, "momentum");
+  EXPECT_EQ(asked.cells[0].key.profile, "matched");
+}
+
+TEST(BatchPlan, CellsOfCase2AreThoseOfCase1) {
+  const BatchPlan plan = plan_batch({.scenarios = {"case2"}, .profiles = {"paper"}});
+  EXPECT_EQ(scenarios_of(plan), std::set<std::string>{"case1"});
+  EXPECT_EQ(plan.cells.size(), 6U * 3U);
+  const BatchPlan both = plan_batch({.scenarios = {"case1", "case2/knee_lateral"}, .observers = {"none"}});
+  EXPECT_EQ(both.cells.size(), 6U);
 }
 
 TEST(BatchPlan, APoseThatTheLegsCannotReachIsRefusedBeforeAnythingRuns) {

@@ -202,6 +202,56 @@ TEST_F(CommandLine, ARunDirectoryHoldsWhatIsNeededToRunItAgain) {
   EXPECT_EQ(logs, 1);
 }
 
+TEST_F(CommandLine, CheckSaysWhatEveryFileIsAndWhatIsWrong) {
+  const std::string project = DOB_SOURCE_DIR;
+  const Answer good = dobbench("check '" + project + "/scenarios/case3.toml' '" + project +
+                               "/scenarios/config/profiles/paper.toml' '" + project + "/robot/dogbot/dogbot.urdf'");
+  EXPECT_EQ(good.exit_code, 0) << good.err;
+  EXPECT_EQ(good.err, "");
+  for (const char* part : {"case3.toml: OK, scenario 'case3' of set paper, 10 to run", "paper.toml: OK, profile for ",
+                           "dogbot.urdf: OK, robot description"}) {
+    EXPECT_NE(good.out.find(part), std::string::npos) << part << ": " << good.out;
+  }
+  std::ofstream(dir / "mine.toml") << "summary = \"mine\"\nobservers = [\"none\", \"momentun\"]\n"
+                                      "[[path]]\nduration_s = 1.0\nspeed_m_s = 0.1\n";
+  std::ofstream(dir / "profile.toml") << "[momentum]\ngains = [2.25, 6.28, 17.5]\n[com_wrench]\nlinear_gain_rad = 3\n";
+  std::ofstream(dir / "robot.urdf") << "<robot name=\"r\"></robot>";
+  std::ofstream(dir / "tall.toml") << "base = \"undisturbed\"\nplanner.com_height_m = 0.9\n";
+  expect_refused("check mine.toml", {"mine.toml:2:1", "momentun"});
+  expect_refused("check profile.toml", {"profile.toml:3:", "linear_gain_rad"});
+  expect_refused("check robot.urdf", {"robot.urdf"});
+  expect_refused("check tall.toml", {"tall", "cannot reach"});
+  expect_refused("check notes.txt", {"notes.txt", ".urdf"});
+  expect_refused("check missing.toml", {"missing.toml", "cannot be read"});
+  // The others are still checked.
+  const Answer mixed = dobbench("check mine.toml '" + project + "/scenarios/case4.toml'");
+  EXPECT_EQ(mixed.exit_code, 2);
+  EXPECT_NE(mixed.out.find("case4.toml: OK"), std::string::npos) << mixed.out;
+}
+
+TEST_F(CommandLine, ATrialWhosePushNeverComesIsARowWithItsReason) {
+  const Answer answer = dobbench("run case3/left_10 --observer none --set duration_s=1.0 --out run");
+  EXPECT_EQ(answer.exit_code, 3);
+  const auto rows = nlohmann::json::parse(dobbench("table run --format json").out);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0]["errors"], 1);
+  EXPECT_NE(answer.out.find("waited for phase 0.1 of a swing of RF"), std::string::npos) << answer.out;
+}
+
+TEST_F(CommandLine, ListsTheScenariosWithTheirSet) {
+  const auto json = nlohmann::json::parse(dobbench("list scenarios --json").out);
+  for (const auto& scenario : json["scenarios"]) {
+    const std::string name = scenario["name"];
+    EXPECT_EQ(scenario["set"] == "paper", name == "order_study" || name.starts_with("case")) << name;
+    if (name == "case2") {
+      EXPECT_EQ(scenario["observers"].size(), 3U);
+    }
+  }
+  const std::string text = dobbench("list scenarios").out;
+  EXPECT_NE(text.find("case2"), std::string::npos);
+  EXPECT_NE(text.find("extra"), std::string::npos);
+}
+
 TEST_F(CommandLine, ListsWhatThereIs) {
   const Answer text = dobbench("list");
   EXPECT_EQ(text.exit_code, 0);

@@ -1,6 +1,8 @@
 #include "bench/trial.h"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -165,7 +167,7 @@ Draws draws_of(const Scenario& scenario, const std::string& observer, int seed) 
 }
 
 TEST(Trial, RecordsAnOnsetAtEveryDrawOfARandomPushAlsoOnTheSameLeg) {
-  Scenario scenario = load("random_push", 8.0);
+  Scenario scenario = load("case4", 8.0);
   scenario.random_pushes.at(0).legs = {Leg::kRH};
   scenario.random_pushes[0].max_N = 11.0;
   const Draws draws = draws_of(scenario, "momentum_com", 1);
@@ -174,18 +176,115 @@ TEST(Trial, RecordsAnOnsetAtEveryDrawOfARandomPushAlsoOnTheSameLeg) {
 }
 
 TEST(Trial, ARandomPushIsTheSameForEveryObserverAndAnotherForEverySeed) {
-  const Scenario scenario = load("random_push", 1.05);  // before observers make the states differ
+  const Scenario scenario = load("case4", 1.05);  // before observers make the states differ
   const Draws none = draws_of(scenario, "none", 1);
   const Draws pair = draws_of(scenario, "momentum_com", 1);
   ASSERT_EQ(none.torque.size(), 1u);
   EXPECT_EQ(none.torque.size(), pair.torque.size());
   EXPECT_LT((none.torque[0] - pair.torque[0]).norm(), 1e-3);
-  const Scenario later = load("random_push", 1.4);
+  const Scenario later = load("case4", 1.4);
   const Draws other = draws_of(later, "none", 2);
   ASSERT_EQ(other.onset.size(), 1u);
   EXPECT_GT(other.onset[0], 1.0);  // the seed shifts the onset of every disturbance
   EXPECT_LE(other.onset[0], 1.266);
   EXPECT_GT((other.torque.at(0) - none.torque[0]).norm(), 0.1);
+}
+
+// When the leg's swings lift off and when the push begins and ends, as recorded.
+struct PushInSwing {
+  std::vector<double> lift_off, change;
+};
+
+PushInSwing watch_push(const Scenario& scenario, int seed) {
+  PushInSwing seen;
+  Trial(scenario, load_observer("none", "paper"), seed).run([&](const TickRecord& r) {
+    if (r.lift_off[1]) seen.lift_off.push_back(r.t);
+    if (r.disturbance_onset) seen.change.push_back(r.t);
+  });
+  return seen;
+}
+
+// The first swing of RF whose lift-off plus this share of 0.115 s is not before `earliest`, by the gait's own record.
+double moment_in_swing(const PushInSwing& seen, double share, double swing, double earliest) {
+  for (const double lift_off : seen.lift_off) {
+    const double moment = std::ceil((lift_off + share * swing) * 1e3 - 1e-6) * 1e-3;  // at the next tick
+    if (moment >= earliest - 1e-9) return moment;
+  }
+  return -1.0;
+}
+
+TEST(Trial, APushTriggeredByTheGaitStartsAtItsShareOfTheSwing) {
+  for (const auto& [variant, share] : {std::pair("left_10", 0.1), {"right_30", 0.3}, {"left_50", 0.5}}) {
+    const Scenario scenario = load(std::string("case3/") + variant, 3.8);
+    const PushInSwing seen = watch_push(scenario, 1);
+    ASSERT_EQ(seen.change.size(), 2u) << variant;
+    EXPECT_NEAR(seen.change[0], moment_in_swing(seen, share, 0.115, 2.8), 1e-9) << variant;
+    EXPECT_NEAR(seen.change[1] - seen.change[0], 0.2, 1e-9) << variant;
+  }
+}
+
+TEST(Trial, ATriggerIsMetInACrawlAsWell) {
+  Scenario scenario = load("crawl/knee_lateral", 6.0);
+  scenario.disturbances = load_scenarios({.name = "case3/left_30"}).at(0).disturbances;
+  scenario.disturbances[0].profile.amplitude_N = 5.0;
+  const PushInSwing seen = watch_push(scenario, 1);
+  ASSERT_EQ(seen.change.size(), 2u);
+  EXPECT_NEAR(seen.change[0], moment_in_swing(seen, 0.3, 0.3, 2.8), 1e-9);
+}
+
+// The same seeds with and without the onset's range, which is longer than a cycle of 0.53 s: another swing is met.
+TEST(Trial, SeedsShiftTheEarliestTimeOfATrigger) {
+  Scenario scenario = load("case3/left_10", 5.7);
+  scenario.disturbances.at(0).profile.amplitude_N = 5.0;
+  int later = 0;
+  for (int seed = 2; seed <= 5; ++seed) {
+    scenario.seed_variation.disturbance_onset = 0.0;
+    const PushInSwing unshifted = watch_push(scenario, seed);
+    scenario.seed_variation.disturbance_onset = 2.0;
+    const PushInSwing shifted = watch_push(scenario, seed);
+    ASSERT_EQ(unshifted.change.size(), 2u) << seed;
+    ASSERT_EQ(shifted.change.size(), 2u) << seed;
+    EXPECT_NEAR(unshifted.change[0], moment_in_swing(unshifted, 0.1, 0.115, 2.8), 1e-9) << seed;
+    EXPECT_GE(shifted.change[0], unshifted.change[0]) << seed;
+    EXPECT_LE(shifted.change[0], 2.8 + 2.0 + 0.54) << seed;
+    later += shifted.change[0] > unshifted.change[0] + 0.1 ? 1 : 0;
+  }
+  EXPECT_GE(later, 2);  // of 4
+}
+
+TEST(Trial, ATriggerThatNeverFiresIsAnErrorAndNotASurvivor) {
+  Trial trial(load("case3/left_10", 2.0), load_observer("none", "paper"), 1);
+  try {
+    trial.run();
+    FAIL() << "survived a push that never came";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(),
+                 "a disturbance waited for phase 0.1 of a swing of RF from 2.800 s on, and no swing came to it");
+  }
+}
+
+TEST(Trial, WithoutSwingCompensationIsTheRoutingWithSwingOff) {
+  const auto hash = [](const char* scenario, const char* observer) {
+    return Trial(load(scenario, 1.5), load_observer(observer, "matched"), 1).run().state_hash;
+  };
+  EXPECT_EQ(hash("case1/tip_lateral_no_swing", "momentum_com"),
+            hash("case1/tip_lateral", "momentum_com:routing.swing_31=off"));
+  EXPECT_NE(hash("case1/tip_lateral_no_swing", "momentum_com"), hash("case1/tip_lateral", "momentum_com"));
+}
+
+TEST(Trial, AStartInMotionMovesTheTrunkAndNotTheFeet) {
+  const Scenario scenario = load("start_in_motion/undisturbed", 3.0);
+  Trial trial(scenario, load_observer("none", "paper"), 1);
+  const ModelTerms& m = trial.model_terms();
+  EXPECT_LT((m.state.v_WB - Vec3(0.12, 0.0, 0.0)).norm(), 1e-12);
+  EXPECT_TRUE(m.state.omega_WB.isZero(0.0));
+  for (int l = 0; l < kLegs; ++l) {
+    const Vec3 contact_velocity = m.state.v_WB + m.contact[l].J_q * m.state.qd.segment<3>(3 * l);
+    EXPECT_LT(contact_velocity.norm(), 1e-12) << l;
+  }
+  const CellResult result = trial.run();
+  EXPECT_EQ(result.outcome, Outcome::kSurvived) << result.reason;
+  EXPECT_LT(*result.metrics.com_error_max_m, 0.01);
 }
 
 TEST(Trial, AFallEndsTheTrialWithItsReasonAndTime) {

@@ -32,6 +32,13 @@ TEST(Document, ReplacesListsOfTablesAsAWhole) {
   EXPECT_EQ(to_toml(base), "\n[[d]]\ny = 3\n");
 }
 
+TEST(Document, MergesATableOfNumbersIntoTheElementsOfAList) {
+  Node base = parse("[[d]]\nx = 1\n[[d]]\nx = 2\ny = 3\n");
+  merge(base, parse("d.1.x = 5\n"));
+  EXPECT_EQ(to_toml(base), "\n[[d]]\nx = 1\n\n[[d]]\nx = 5\ny = 3\n");
+  EXPECT_THROW(merge(base, parse("d.2.x = 5\n")), InputError);
+}
+
 TEST(Document, MergedValuesStillStandWhereTheyWereWritten) {
   Node base = parse("\n\n[t]\nx = 1\ny = 2\n");
   merge(base, parse("[t]\n  y = 5\n"));

@@ -147,6 +147,46 @@ TEST(InputError, AFootIsOnlyOnALowerLinkAndAPointIsGivenOnce) {
             "allowed: foot only on the lower link of a leg; else origin");
 }
 
+TEST(InputError, ProfilesNeedTheirParametersAndRefuseWhatCannotBe) {
+  const auto with = [](const std::string& profile) {
+    return error_with("[[disturbance]]\nprofile = " + profile +
+                      "\namplitude_N = 5.0\nleg = \"LF\"\nlink = \"lower\"\npoint = \"origin\"\n"
+                      "direction = [0, 1, 0]\n");
+  };
+  EXPECT_EQ(with("\"pulse\"\nduration_s = 0.2"), "no error");
+  EXPECT_EQ(with("\"ramp\"\nramp_s = 2.0"), "no error");
+  EXPECT_EQ(with("\"chirp\"\nf0_Hz = 0\nf1_Hz = 10\nduration_s = 5\nphase_rad = 1"), "no error");
+  EXPECT_EQ(with("\"pulse\""), "mine.toml:5:1: disturbance.0.duration_s: missing; the key is needed here");
+  EXPECT_EQ(with("\"chirp\"\nf0_Hz = 0\nf1_Hz = 10"),
+            "mine.toml:5:1: disturbance.0.duration_s: missing; the key is needed here");
+  EXPECT_EQ(with("\"ramp\"\nramp_s = 2.0\nduration_s = 1.5"),
+            "mine.toml:7:1: disturbance.0.ramp_s: 2; allowed: at most duration_s, 1.5");
+  EXPECT_EQ(with("\"ramp\"\nramp_s = 0"),
+            "mine.toml:7:1: disturbance.0.ramp_s: 0; allowed: a number above 0 to 100000");
+  EXPECT_EQ(with("\"chirp\"\nf0_Hz = 0\nf1_Hz = 501\nduration_s = 5"),
+            "mine.toml:8:1: disturbance.0.f1_Hz: 501; allowed: a number from 0 to 500");
+  EXPECT_THAT(with("\"sine\"\nperiod_s = 1\nramp_s = 1"), HasSubstr("disturbance.0.ramp_s: unknown key 'ramp_s'"));
+}
+
+TEST(InputError, ATriggerHasALegAPhaseAndAGaitThatWalks) {
+  const auto with = [](const std::string& trigger) { return error_with(kPush + trigger + "\n"); };
+  const std::string gait_phase = "trigger = \"gait_phase\"\ntrigger_leg = \"RF\"\n";
+  EXPECT_EQ(with(gait_phase + "phase = 0.1\nnot_before_s = 2.8"), "no error");
+  EXPECT_EQ(with("trigger = \"time\"\nstart_s = 1.0"), "no error");
+  EXPECT_EQ(with("trigger = \"touchdown\""),
+            "mine.toml:12:1: disturbance.0.trigger: \"touchdown\"; allowed: one of time, gait_phase");
+  EXPECT_EQ(with(gait_phase + "phase = 1.0"),
+            "mine.toml:14:1: disturbance.0.phase: 1; allowed: a number from 0 to below 1");
+  EXPECT_EQ(with("trigger = \"gait_phase\"\ntrigger_leg = \"trunk\"\nphase = 0.1"),
+            "mine.toml:13:1: disturbance.0.trigger_leg: \"trunk\"; allowed: one of LF, RF, LH, RH");
+  EXPECT_EQ(with(gait_phase), "mine.toml:5:1: disturbance.0.phase: missing; the key is needed here");
+  EXPECT_THAT(with(gait_phase + "phase = 0.1\nstart_s = 1.0"), HasSubstr("disturbance.0.start_s: unknown key"));
+  EXPECT_THAT(with("phase = 0.1"), HasSubstr("disturbance.0.phase: unknown key"));
+  EXPECT_EQ(with(gait_phase + "phase = 0.1\n[gait]\nkind = \"stand\""),
+            "mine.toml:12:1: disturbance.0.trigger: \"gait_phase\"; "
+            "allowed: time, as no leg swings while the gait stands");
+}
+
 TEST(InputError, ARandomDisturbanceIsCheckedLikeAWrittenOne) {
   const std::string random =
       "[[disturbance]]\nprofile = \"random\"\nmin_N = 10\nmax_N = 35\nhold_s = 2\nlegs = \"any\"\n";
@@ -155,8 +195,9 @@ TEST(InputError, ARandomDisturbanceIsCheckedLikeAWrittenOne) {
     std::string text = random;
     return error_with(text.replace(text.find(line), line.size(), other));
   };
-  EXPECT_EQ(with("\"random\"", "\"noise\""),
-            "mine.toml:6:1: disturbance.0.profile: \"noise\"; allowed: one of constant, sine, random");
+  EXPECT_EQ(
+      with("\"random\"", "\"noise\""),
+      "mine.toml:6:1: disturbance.0.profile: \"noise\"; allowed: one of constant, pulse, sine, ramp, chirp, random");
   EXPECT_EQ(with("min_N = 10", "min_N = -1"),
             "mine.toml:7:1: disturbance.0.min_N: -1; allowed: a number from 0 to 100000");
   EXPECT_EQ(with("max_N = 35", "max_N = 5"),
@@ -198,17 +239,17 @@ TEST(InputError, MissingFilesAndScenariosAreNamed) {
   const std::string directory = (files.directory() / "folder.toml").string();
   std::filesystem::create_directory(directory);
   EXPECT_EQ(error_of({.name = directory}), directory + ": cannot be read; a TOML file is needed");
-  EXPECT_EQ(error_of({.name = "case9"}),
-            "scenario: there is no 'case9'; there are: case1, crawl, order_study, random_push, undisturbed");
-  EXPECT_EQ(error_of({.name = ""}),
-            "scenario: there is no ''; there are: case1, crawl, order_study, random_push, undisturbed");
-  EXPECT_EQ(error_of({.name = "../scenarios/case1"}),
-            "scenario: there is no '..'; there are: case1, crawl, order_study, random_push, undisturbed");
+  std::string shipped;
+  for (const ScenarioInfo& info : list_scenarios()) shipped += (shipped.empty() ? "" : ", ") + info.name;
+  EXPECT_EQ(error_of({.name = "case9"}), "scenario: there is no 'case9'; there are: " + shipped);
+  EXPECT_EQ(error_of({.name = ""}), "scenario: there is no ''; there are: " + shipped);
+  EXPECT_EQ(error_of({.name = "../scenarios/case1"}), "scenario: there is no '..'; there are: " + shipped);
 }
 
 TEST(InputError, VariantsAreNamed) {
   EXPECT_EQ(error_of({.name = "case1/hip"}),
-            "variant: there is no 'hip'; there are: knee_lateral, tip_lateral, knee_sagittal, tip_sagittal");
+            "variant: there is no 'hip'; there are: knee_lateral, tip_lateral, knee_sagittal, tip_sagittal, "
+            "knee_lateral_no_swing, tip_lateral_no_swing");
   EXPECT_THAT(error_of({.name = "undisturbed/hip"}), HasSubstr("there is no variant 'hip'; the scenario has none"));
   EXPECT_EQ(error_with("[variant]\n"), "mine.toml:5:2: variant: empty; allowed: tables [variant.NAME]");
   EXPECT_EQ(error_with("[variant]\na = 1\n"), "mine.toml:6:1: variant.a: 1; allowed: a table");

@@ -54,6 +54,8 @@ void print_world(Print& p, const Scenario& s) {
   for (const Disturbance& d : s.disturbances) {
     const ForceProfile& f = d.profile;
     p(static_cast<int>(f.kind), f.amplitude_N, f.period_s, f.phase_rad, f.start_s, f.duration_s);
+    p(f.ramp_s, f.f0_Hz, f.f1_Hz);
+    if (d.trigger) p(static_cast<int>(d.trigger->leg), d.trigger->phase);
     p(d.leg, static_cast<int>(d.link), static_cast<int>(d.frame));
     for (int i = 0; i < 3; ++i) p(d.p_L[i], d.direction[i]);
   }
@@ -70,6 +72,7 @@ std::string print(const Scenario& s) {
   print_motion(p, s);
   print_world(p, s);
   p(s.noise.torque_relative, s.noise.foot_force_relative, s.metric_leg ? static_cast<int>(*s.metric_leg) : -1);
+  p(s.swing_compensation, s.robot.initial_speed);
   p(s.fall.min_height_ratio, s.fall.max_tilt);
   const SeedVariation& v = s.seed_variation;
   p(v.gait_phase, v.position, v.velocity, v.disturbance_onset);

@@ -26,20 +26,30 @@ Scenario load_text(const ScratchFiles& files, const std::string& text) {
   return load_one({.name = files.write("mine.toml", kSmallest + text)});
 }
 
+ScenarioInfo info_of(const std::string& name) {
+  return scenario_info(name);
+}
+
 TEST(ShippedScenarios, AreListedWithTheirVariants) {
   const std::vector<ScenarioInfo> list = list_scenarios();
-  ASSERT_EQ(list.size(), 5u);
-  EXPECT_EQ(list[0].name, "case1");
-  EXPECT_THAT(list[0].variants, ElementsAre("knee_lateral", "tip_lateral", "knee_sagittal", "tip_sagittal"));
-  EXPECT_EQ(list[1].name, "crawl");
-  EXPECT_THAT(list[1].variants, ElementsAre("undisturbed", "knee_lateral", "tip_lateral", "random_push"));
-  EXPECT_EQ(list[2].name, "order_study");
-  EXPECT_THAT(list[2].variants, ElementsAre("standing", "trotting"));
-  EXPECT_EQ(list[3].name, "random_push");
-  EXPECT_EQ(list[4].name, "undisturbed");
-  EXPECT_THAT(list[4].variants, ElementsAre());
-  EXPECT_EQ(list[4].summary, "120 s straight trot, no disturbance");
-  EXPECT_TRUE(std::filesystem::is_regular_file(list[4].path));
+  const auto undisturbed =
+      std::find_if(list.begin(), list.end(), [](const ScenarioInfo& i) { return i.name == "undisturbed"; });
+  ASSERT_NE(undisturbed, list.end());
+  EXPECT_THAT(undisturbed->variants, ElementsAre());
+  EXPECT_EQ(undisturbed->summary, "120 s straight trot, no disturbance");
+  EXPECT_TRUE(std::filesystem::is_regular_file(undisturbed->path));
+  EXPECT_TRUE(std::is_sorted(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.name < b.name; }));
+  EXPECT_THAT(info_of("case1").variants, ElementsAre("knee_lateral", "tip_lateral", "knee_sagittal", "tip_sagittal",
+                                                     "knee_lateral_no_swing", "tip_lateral_no_swing"));
+  EXPECT_THAT(info_of("crawl").variants, ElementsAre("undisturbed", "knee_lateral", "tip_lateral", "random_push"));
+  EXPECT_THAT(info_of("order_study").variants, ElementsAre("standing", "trotting"));
+}
+
+TEST(ShippedScenarios, OfTheCaseStudiesAreThePapersSetAndOthersAreNot) {
+  for (const char* name : {"order_study", "case1", "case2", "case3", "case4", "case4_noise"})
+    EXPECT_EQ(info_of(name).set, ScenarioSet::kPaper) << name;
+  for (const char* name : {"undisturbed", "crawl", "push_trunk", "chirp_knee", "start_in_motion"})
+    EXPECT_EQ(info_of(name).set, ScenarioSet::kExtra) << name;
 }
 
 TEST(ShippedScenarios, AllLoadWithEveryGainSet) {
@@ -196,7 +206,7 @@ TEST(Case1, WalksTheCurvedPathOf5Point5Metres) {
 
 TEST(Case1, PushesKneeOrTipLaterallyOrSagittallyWithTheSameSine) {
   const std::vector<Scenario> scenarios = load_scenarios({.name = "case1"});
-  ASSERT_EQ(scenarios.size(), 4u);
+  ASSERT_EQ(scenarios.size(), 6u);
   const char* variants[] = {"knee_lateral", "tip_lateral", "knee_sagittal", "tip_sagittal"};
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(scenarios[i].name, "case1");
@@ -220,8 +230,69 @@ TEST(Case1, PushesKneeOrTipLaterallyOrSagittallyWithTheSameSine) {
   }
 }
 
-TEST(RandomPushScenario, DrawsTenTo35NewtonEveryTwoSecondsOnAnyLegAlongThePathOf3Point7Metres) {
-  const Scenario s = load_one({.name = "random_push"});
+TEST(Case1, WithoutSwingCompensationPushesTheSameAndLeavesTheTermOut) {
+  for (const std::string point : {"knee_lateral", "tip_lateral"}) {
+    const Scenario with = load_one({.name = "case1/" + point});
+    const Scenario without = load_one({.name = "case1/" + point + "_no_swing"});
+    EXPECT_TRUE(with.swing_compensation);
+    EXPECT_FALSE(without.swing_compensation);
+    EXPECT_EQ(without.disturbances.at(0).p_L, with.disturbances.at(0).p_L);
+    EXPECT_EQ(without.disturbances[0].direction, Vec3::UnitY());
+    EXPECT_EQ(without.duration, with.duration);
+  }
+}
+
+TEST(Case2, IsCase1WithThePapersThreeObservers) {
+  const std::vector<Scenario> scenarios = load_scenarios({.name = "case2"});
+  const std::vector<Scenario> case1 = load_scenarios({.name = "case1"});
+  ASSERT_EQ(scenarios.size(), case1.size());
+  for (std::size_t i = 0; i < case1.size(); ++i) {
+    EXPECT_EQ(scenarios[i].name, "case1");
+    EXPECT_EQ(scenarios[i].variant, case1[i].variant);
+  }
+  std::vector<std::string> observers;
+  for (const WrittenText& observer : info_of("case2").observers) observers.push_back(observer.text);
+  EXPECT_THAT(observers, ElementsAre("momentum", "com_wrench", "nonlinear_dob"));
+}
+
+TEST(Case3, PushesTheFrontRightKneeAtAShareOfItsSwingNotBefore2Point8Seconds) {
+  struct Expected {
+    const char* variant;
+    Vec3 direction;
+    double phase;
+  };
+  const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY();
+  const Expected all[] = {{"left_10", y, 0.1},    {"left_30", y, 0.3},     {"left_50", y, 0.5},   {"left_80", y, 0.8},
+                          {"right_10", -y, 0.1},  {"right_30", -y, 0.3},   {"right_50", -y, 0.5}, {"right_80", -y, 0.8},
+                          {"forward_10", x, 0.1}, {"backward_10", -x, 0.1}};
+  const std::vector<Scenario> scenarios = load_scenarios({.name = "case3"});
+  ASSERT_EQ(scenarios.size(), std::size(all));
+  for (std::size_t i = 0; i < scenarios.size(); ++i) {
+    const Scenario& s = scenarios[i];
+    EXPECT_EQ(s.variant, all[i].variant);
+    EXPECT_EQ(s.metric_leg, Leg::kRF);
+    ASSERT_EQ(s.disturbances.size(), 1u);
+    const Disturbance& d = s.disturbances[0];
+    EXPECT_EQ(d.profile.kind, ForceProfile::Kind::kConstant);
+    EXPECT_EQ(d.profile.amplitude_N, 80.0);
+    EXPECT_EQ(d.profile.duration_s, 0.2);
+    EXPECT_EQ(d.profile.start_s, 2.8);
+    EXPECT_EQ(d.leg, static_cast<int>(Leg::kRF));
+    EXPECT_EQ(d.link, LegLink::kLower);
+    EXPECT_EQ(d.p_L, Vec3(0.0, 0.0, 0.0));
+    EXPECT_EQ(d.direction, all[i].direction) << s.variant;
+    ASSERT_TRUE(d.trigger.has_value());
+    EXPECT_EQ(d.trigger->leg, Leg::kRF);
+    EXPECT_EQ(d.trigger->phase, all[i].phase) << s.variant;
+    // Straight, and 10 s after the latest end of the push that any seed can have.
+    ASSERT_EQ(s.path.size(), 1u);
+    EXPECT_EQ(s.path[0].yaw_rate, 0.0);
+    EXPECT_GE(s.duration, 2.8 + s.seed_variation.disturbance_onset + s.gait.pattern.cycle() + 0.2 + 10.0);
+  }
+}
+
+TEST(Case4, DrawsTenTo35NewtonEveryTwoSecondsOnAnyLegAlongThePathOf3Point7Metres) {
+  const Scenario s = load_one({.name = "case4"});
   const double durations[] = {8.0, 8.0, 6.8, 8.0};
   const double yaw_rates[] = {0.0, 0.05, 0.0, -0.05};
   ASSERT_EQ(s.path.size(), 4u);
@@ -243,14 +314,76 @@ TEST(RandomPushScenario, DrawsTenTo35NewtonEveryTwoSecondsOnAnyLegAlongThePathOf
   EXPECT_THAT(push.legs, ElementsAre(Leg::kLF, Leg::kRF, Leg::kLH, Leg::kRH));
 }
 
-TEST(RandomPushScenario, MayBeNarrowedToAWindowAndToSomeLegs) {
+TEST(Case4Noise, IsCase4With10PercentOnTorquesAndFootForces) {
+  const Scenario noisy = load_one({.name = "case4_noise"});
+  const Scenario s = load_one({.name = "case4"});
+  EXPECT_EQ(noisy.name, "case4_noise");
+  EXPECT_EQ(noisy.noise.torque_relative, 0.1);
+  EXPECT_EQ(noisy.noise.foot_force_relative, 0.1);
+  EXPECT_EQ(s.noise.torque_relative, 0.0);
+  EXPECT_EQ(noisy.duration, s.duration);
+  ASSERT_EQ(noisy.random_pushes.size(), 1u);
+  EXPECT_EQ(noisy.random_pushes[0].max_N, s.random_pushes.at(0).max_N);
+}
+
+TEST(OrderStudy, BringsOrders1To5AtEqualBandwidthAndWithEqualGains) {
+  const ScenarioInfo info = info_of("order_study");
+  ASSERT_EQ(info.observers.size(), 11u);
+  EXPECT_EQ(info.observers[0].text, "none");
+  std::string gains = "6.28";
+  for (std::size_t order = 1; order <= 5; ++order) {
+    EXPECT_EQ(info.observers[order].text, fmt::format("momentum:family=bessel,order={},bandwidth_rad_s=72.26", order));
+    EXPECT_EQ(info.observers[order + 5].text, fmt::format("momentum:gains={},allow_unstable=true", gains));
+    gains += ";6.28";
+  }
+  ASSERT_EQ(info.profiles.size(), 1u);
+  EXPECT_EQ(info.profiles[0].text, "paper");
+}
+
+TEST(PushTrunk, ActsOnTheTrunkAsAConstantAPulseAndARamp) {
+  using Kind = ForceProfile::Kind;
+  const std::vector<Scenario> scenarios = load_scenarios({.name = "push_trunk"});
+  ASSERT_EQ(scenarios.size(), 6u);
+  const Kind kinds[] = {Kind::kConstant, Kind::kConstant, Kind::kRamp};
+  for (std::size_t i = 0; i < scenarios.size(); ++i) {
+    const Disturbance& d = scenarios[i].disturbances.at(0);
+    EXPECT_EQ(d.leg, AppliedForce::kTrunk);
+    EXPECT_EQ(d.profile.kind, kinds[i / 2]) << scenarios[i].variant;
+    EXPECT_EQ(d.direction, i % 2 == 0 ? Vec3::UnitY() : Vec3(-Vec3::UnitX())) << scenarios[i].variant;
+    EXPECT_EQ(d.profile.duration_s, i / 2 == 1 ? 0.1 : 6.0);
+  }
+  EXPECT_EQ(scenarios[4].disturbances[0].profile.ramp_s, 3.0);
+}
+
+TEST(ChirpKnee, SweepsTo10Hertz) {
+  const Scenario s = load_scenarios({.name = "chirp_knee"}).at(0);
+  const ForceProfile& p = s.disturbances.at(0).profile;
+  EXPECT_EQ(p.kind, ForceProfile::Kind::kChirp);
+  EXPECT_EQ(p.f0_Hz, 0.05);
+  EXPECT_EQ(p.f1_Hz, 10.0);
+  EXPECT_LE(p.start_s + p.duration_s, s.duration);
+}
+
+TEST(StartInMotion, StartsAtThePathsSpeed) {
+  const std::vector<Scenario> scenarios = load_scenarios({.name = "start_in_motion"});
+  ASSERT_EQ(scenarios.size(), 2u);
+  for (const Scenario& s : scenarios) {
+    EXPECT_EQ(s.robot.initial_speed, s.path.at(0).speed);
+    EXPECT_EQ(s.planner.footsteps.start_ramp, 0.0);
+  }
+  EXPECT_TRUE(scenarios[0].disturbances.empty());
+  EXPECT_EQ(scenarios[1].disturbances.size(), 1u);
+  EXPECT_EQ(load_one({.name = "undisturbed"}).robot.initial_speed, 0.0);
+}
+
+TEST(Case4, MayBeNarrowedToAWindowAndToSomeLegs) {
   const Scenario s = load_one(
-      {.name = "random_push",
+      {.name = "case4",
        .overrides = {"disturbance.0.legs=[\"RH\", \"LF\"]", "disturbance.0.max_N=20", "disturbance.0.duration_s=7"}});
   EXPECT_THAT(s.random_pushes.at(0).legs, ElementsAre(Leg::kRH, Leg::kLF));
   EXPECT_EQ(s.random_pushes[0].max_N, 20.0);
   EXPECT_EQ(s.random_pushes[0].duration_s, 7.0);
-  EXPECT_THAT(load_one({.name = "random_push", .overrides = {"disturbance.0.legs=LH"}}).random_pushes.at(0).legs,
+  EXPECT_THAT(load_one({.name = "case4", .overrides = {"disturbance.0.legs=LH"}}).random_pushes.at(0).legs,
               ElementsAre(Leg::kLH));
 }
 
@@ -286,7 +419,7 @@ TEST(Layers, OneVariantCanBeAskedForByNameAndByPath) {
   EXPECT_EQ(load_one({.name = "case1/tip_sagittal"}).variant, "tip_sagittal");
   const std::string path = std::string(DOB_SOURCE_DIR) + "/scenarios/case1.toml";
   EXPECT_EQ(load_one({.name = path + "/tip_sagittal"}).variant, "tip_sagittal");
-  EXPECT_EQ(load_scenarios({.name = path}).size(), 4u);
+  EXPECT_EQ(load_scenarios({.name = path}).size(), 6u);
 }
 
 TEST(Layers, AVariantIsLaidOverItsFileAndOverridesOverBoth) {

@@ -50,6 +50,45 @@ TEST(ForceProfile, ASineStartsAtItsPhaseAndRepeatsAfterItsPeriod) {
   EXPECT_EQ(sine.value(6.0), 0.0);
 }
 
+TEST(ForceProfile, ARampRisesLinearlyAndStaysAtItsAmplitude) {
+  ForceProfile ramp;
+  ramp.kind = ForceProfile::Kind::kRamp;
+  ramp.amplitude_N = -30.0;
+  ramp.start_s = 2.0;
+  ramp.ramp_s = 3.0;
+  ramp.duration_s = 6.0;
+  EXPECT_EQ(ramp.value(1.999), 0.0);
+  EXPECT_NEAR(ramp.value(2.0), 0.0, 1e-12);
+  EXPECT_NEAR(ramp.value(3.0), -10.0, 1e-12);
+  EXPECT_NEAR(ramp.value(4.5), -25.0, 1e-12);
+  EXPECT_EQ(ramp.value(5.0), -30.0);
+  EXPECT_EQ(ramp.value(7.9), -30.0);
+  EXPECT_EQ(ramp.value(8.0), 0.0);
+}
+
+// From 1 to 5 Hz in 4 s the frequency is 1 + t Hz: t + t^2 / 2 cycles have passed.
+TEST(ForceProfile, AChirpsFrequencyGoesLinearlyFromOneToTheOther) {
+  ForceProfile chirp;
+  chirp.kind = ForceProfile::Kind::kChirp;
+  chirp.amplitude_N = 20.0;
+  chirp.f0_Hz = 1.0;
+  chirp.f1_Hz = 5.0;
+  chirp.start_s = 10.0;
+  chirp.duration_s = 4.0;
+  chirp.phase_rad = 0.5;
+  for (const double t : {0.0, 0.1, 0.77, 1.5, 2.9, 3.999}) {
+    const double cycles = t + 0.5 * t * t;
+    EXPECT_NEAR(chirp.value(10.0 + t), 20.0 * std::sin(2.0 * std::numbers::pi * cycles + 0.5), 1e-9) << t;
+  }
+  EXPECT_EQ(chirp.value(9.999), 0.0);
+  EXPECT_EQ(chirp.value(14.0), 0.0);
+  chirp.phase_rad = 0.0;
+  int crossings = 0;  // upward, one per cycle: 4 + 8 of them, the first at the start
+  for (int k = 1; k < 4000; ++k)
+    crossings += chirp.value(10.0 + (k - 1) * 1e-3) <= 0.0 && chirp.value(10.0 + k * 1e-3) > 0.0 ? 1 : 0;
+  EXPECT_EQ(crossings, 12);
+}
+
 TEST(Disturbance, PointsAlongTheWorldOrTurnsWithTheTrunk) {
   Disturbance push;
   push.profile.amplitude_N = 10.0;
@@ -97,6 +136,23 @@ TEST(Disturbance, SaysWhatIsWrong) {
                 d.profile.period_s = 0.0;
               }),
               message("period_s = 0"));
+  EXPECT_THAT(with([](Disturbance& d) {
+                d.profile.kind = ForceProfile::Kind::kRamp;
+                d.profile.ramp_s = 2.0;
+                d.profile.duration_s = 1.0;
+              }),
+              message("ramp_s = 2, must be finite, > 0 and <= duration_s"));
+  EXPECT_THAT(with([](Disturbance& d) { d.profile.kind = ForceProfile::Kind::kChirp; }), message("duration_s = inf"));
+  EXPECT_THAT(with([](Disturbance& d) {
+                d.profile.kind = ForceProfile::Kind::kChirp;
+                d.profile.duration_s = 1.0;
+                d.profile.f1_Hz = -1.0;
+              }),
+              message("f1_Hz = -1"));
+  EXPECT_THAT(with([](Disturbance& d) {
+                d.trigger = SwingTrigger{Leg::kRF, 1.0};
+              }),
+              message("phase of the trigger = 1"));
 }
 
 }  // namespace

@@ -1,0 +1,45 @@
+#include "sim/disturbance_schedule.h"
+
+namespace dob {
+namespace {
+
+constexpr double kSlack = 1e-9;  // [s] on a start, [-] on a phase: both are sums of ticks
+
+}  // namespace
+
+DisturbanceSchedule::DisturbanceSchedule(std::vector<Disturbance> disturbances) {
+  items_.reserve(disturbances.size());
+  for (Disturbance& d : disturbances) items_.push_back({d, d.trigger.has_value(), false});
+  forces_.reserve(items_.size());
+  last_phase_.fill(-1.0);
+}
+
+void DisturbanceSchedule::update(double t, const PerLeg<double>& swing_phase, const RobotState& state) noexcept {
+  forces_.clear();
+  changed_ = false;
+  for (Item& item : items_) {
+    Disturbance& d = item.disturbance;
+    if (item.waits && t >= d.profile.start_s - kSlack) {
+      const auto leg = static_cast<std::size_t>(d.trigger->leg);
+      const double phase = d.trigger->phase - kSlack;
+      if (last_phase_[leg] < phase && swing_phase[leg] >= phase) {
+        item.waits = false;
+        d.profile.start_s = t;
+      }
+    }
+    const bool acts = !item.waits && d.profile.active(t);
+    changed_ = changed_ || acts != item.acts;
+    item.acts = acts;
+    if (acts) forces_.push_back(d.at(t, state));
+  }
+  last_phase_ = swing_phase;
+}
+
+const Disturbance* DisturbanceSchedule::waiting() const noexcept {
+  for (const Item& item : items_) {
+    if (item.waits) return &item.disturbance;
+  }
+  return nullptr;
+}
+
+}  // namespace dob

@@ -1,0 +1,42 @@
+// The disturbances of a trial as they happen: opens the windows of those that wait for a moment of the gait, and knows
+// which ones act.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/disturbance.h"
+
+namespace dob {
+
+class DisturbanceSchedule {
+ public:
+  explicit DisturbanceSchedule(std::vector<Disturbance> disturbances = {});
+
+  // The tick at time t [s], later than the one before. `swing_phase`: the share of its planned swing duration that has
+  // passed since each leg's lift-off; negative while it stands. A trigger fires at the first tick, not before its
+  // disturbance's start, at which its leg's swing has come to the phase since the tick before: a swing that was past
+  // it already does not count. Allocates nothing.
+  void update(double t, const PerLeg<double>& swing_phase, const RobotState& state) noexcept;
+
+  // Of the tick of the last update:
+  std::span<const AppliedForce> forces() const noexcept { return forces_; }  // that act over it; some may be zero
+  bool active() const noexcept { return !forces_.empty(); }
+  bool changed() const noexcept { return changed_; }  // some disturbance began or ended
+  // The first one that still waits for its trigger; nullptr: none does.
+  const Disturbance* waiting() const noexcept;
+
+ private:
+  struct Item {
+    Disturbance disturbance;
+    bool waits = false;
+    bool acts = false;
+  };
+
+  std::vector<Item> items_;
+  std::vector<AppliedForce> forces_;
+  PerLeg<double> last_phase_;
+  bool changed_ = false;
+};
+
+}  // namespace dob
