@@ -13,6 +13,7 @@ namespace dob {
 struct BatchRequest {
   std::vector<std::string> scenarios;  // empty: every shipped one
   std::vector<std::string> observers;  // specifications; empty: every built-in one
+  std::vector<std::string> shadows;    // specifications of observers that watch every cell, first profile asked for
   std::vector<std::string> profiles;   // empty: every shipped one
   std::vector<std::string> gains;      // gain sets of the controller; empty: "paper"
   std::string planner;                 // empty: the scenario's own
@@ -25,6 +26,7 @@ struct PlannedCell {
   CellKey key;
   std::size_t scenario = 0;  // index into BatchPlan::scenarios
   ObserverConfig observer;
+  std::vector<ObserverConfig> shadows = {};  // without the cell's own observer
 };
 
 struct BatchPlan {
@@ -32,6 +34,10 @@ struct BatchPlan {
   std::vector<ResolvedScenario> resolved;  // their resolved files, for the run directory
   std::vector<PlannedCell> cells;          // in the order of the tables; no cell twice
 };
+
+// The observers of a list "NAME[:key=value,...],NAME,...": a part with an '=' and no ':' before it is an option of the
+// observer before it, except "legs=", which begins a pair.
+std::vector<std::string> split_specifications(const std::string& list);
 
 // Throws InputError for the first thing that cannot be run.
 BatchPlan plan_batch(const BatchRequest& request);

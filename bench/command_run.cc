@@ -17,6 +17,7 @@ namespace {
 struct Arguments {
   BatchRequest request;
   BatchOptions options;
+  std::vector<std::string> shadows;
   std::string seeds = "1";
   std::string log = "none";
 };
@@ -45,6 +46,9 @@ void read_seeds(const std::string& text, BatchRequest& request) {
 
 int run(Arguments& arguments) {
   read_seeds(arguments.seeds, arguments.request);
+  for (const std::string& list : arguments.shadows) {
+    for (std::string& shadow : split_specifications(list)) arguments.request.shadows.push_back(std::move(shadow));
+  }
   arguments.options.log_csv = arguments.log == "csv";
   arguments.options.progress = ::isatty(STDERR_FILENO) == 1;
   const BatchPlan plan = plan_batch(arguments.request);
@@ -66,6 +70,8 @@ Command add_run_command(CLI::App& app, const std::string& command_line) {
   CLI::App* command = app.add_subcommand("run", "run scenarios with observers and print the comparison table");
   command->add_option("scenario", request.scenarios, "NAME, NAME/VARIANT or FILE.toml; every shipped one by default");
   command->add_option("--observer", request.observers, "NAME[:key=value,...]; every built-in one by default")
+      ->allow_extra_args(false);
+  command->add_option("--shadow", arguments->shadows, "NAME[:key=value,...],...: watch every cell; `table --shadow`")
       ->allow_extra_args(false);
   command->add_option("--profile", request.profiles, "gains and routing of the observers; every one by default")
       ->allow_extra_args(false);
