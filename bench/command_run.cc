@@ -53,7 +53,9 @@ int run(Arguments& arguments) {
   arguments.options.progress = ::isatty(STDERR_FILENO) == 1;
   const BatchPlan plan = plan_batch(arguments.request);
   const BatchSummary summary = run_batch(plan, arguments.options);
-  fmt::print("{}", render_table(read_run(summary.dir), {}));
+  const Run finished = read_run(summary.dir);
+  fmt::print("{}", render_table(finished, {}));
+  if (!arguments.request.shadows.empty()) fmt::print("\n{}", render_table(finished, {.shadow = true}));
   fmt::print("\nrun directory: {}\n", summary.dir.string());
   if (summary.stop_signal != 0) return kExitSignal + summary.stop_signal;
   return summary.errors > 0 ? kExitCellErrors : kExitOk;
