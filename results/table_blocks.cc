@@ -171,7 +171,8 @@ std::vector<std::string> comparison_legend(const std::vector<TableRow>& rows) {
       "est. rmse: estimated minus true force at its point. QP fail: solves that did not end optimal.",
       "a / b: median and worst over the seeds, one figure where they are the same. falls k/n: k of n runs fell, at the "
       "median time given. Figures are those of the runs that survived; *: every run fell, figures up to the fall, not "
-      "comparable with full runs. rank: fewer falls first, then the smaller CoM max; bound: an oracle, not ranked. -: "
+      "comparable with full runs. rank: fewer falls first, then the smaller CoM max (where every run fell, the later "
+      "fall); bound: an oracle, not ranked. -: "
       "does not apply. Definitions: docs/metrics.md."};
   if (any(rows, has_falls_interval)) legend.emplace_back("95 %: Wilson interval of the share of runs that fall.");
   if (any(rows, has_pairs)) {

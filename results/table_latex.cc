@@ -48,7 +48,7 @@ std::string latex_block(const TableBlock& block) {
   for (const BlockColumn& column : block.columns) {
     alignment += column.right ? 'r' : 'l';
     headings.push_back(latex(column.heading));
-    units.push_back(column.unit_in_brackets());
+    units.push_back(latex(column.unit_in_brackets()));
   }
   std::string out = fmt::format(
       "\\begin{{table}}\n\\centering\n\\caption{{{}}}\n\\begin{{tabular}}{{{}}}\n\\toprule\n{}{}\\midrule\n",
