@@ -18,7 +18,7 @@ std::string label(const CellKey& key) {
 }
 
 CellResult run_cell(const BatchPlan& plan, const PlannedCell& cell, const std::filesystem::path& log_dir) {
-  Trial trial(plan.scenarios[cell.scenario], cell.observer, cell.key.seed);
+  Trial trial(plan.scenarios[cell.scenario], cell.observer, cell.key.seed, cell.shadows);
   CellResult result;
   if (log_dir.empty()) {
     result = trial.run();

@@ -1,5 +1,6 @@
 #include "bench/batch_plan.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -69,7 +70,43 @@ void require_one_meaning(const ObserverConfig& observer, std::map<std::string, s
                                observer.observer, observer.label));
 }
 
+// Each once, in the first profile that is asked for.
+std::vector<ObserverConfig> load_shadows(const BatchRequest& request, double dt) {
+  const std::string profile = request.profiles.empty() ? "matched" : request.profiles.front();
+  std::vector<ObserverConfig> shadows;
+  for (const std::string& specification : request.shadows) {
+    ObserverConfig shadow = load_observer(specification, profile, dt);
+    const auto same = [&](const ObserverConfig& other) { return other.label == shadow.label; };
+    if (std::none_of(shadows.begin(), shadows.end(), same)) shadows.push_back(std::move(shadow));
+  }
+  return shadows;
+}
+
+// The observer in the loop is judged on the same data already.
+std::vector<ObserverConfig> without(std::vector<ObserverConfig> shadows, const ObserverConfig& in_the_loop) {
+  std::erase_if(shadows, [&](const ObserverConfig& shadow) {
+    return shadow.label == in_the_loop.label && shadow.profile == in_the_loop.profile;
+  });
+  return shadows;
+}
+
 }  // namespace
+
+std::vector<std::string> split_specifications(const std::string& list) {
+  std::vector<std::string> specifications;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    const std::string part = list.substr(begin, end - begin);
+    const bool option = part.find('=') < part.find(':') && !part.starts_with("legs=");
+    if (option && !specifications.empty()) {
+      specifications.back() += "," + part;
+    } else {
+      specifications.push_back(part);
+    }
+    begin = end + 1;
+  }
+  return specifications;
+}
 
 BatchPlan plan_batch(const BatchRequest& request) {
   BatchPlan plan;
@@ -88,6 +125,8 @@ BatchPlan plan_batch(const BatchRequest& request) {
             fmt::format("{}{}{}_{}", scenario.name, scenario.variant.empty() ? "" : "_", scenario.variant, gains);
         if (resolved.insert(file).second) plan.resolved.push_back({file, resolved_toml(wanted, scenario.variant)});
         plan.scenarios.push_back(scenario);
+        const std::vector<ObserverConfig> shadows = load_shadows(request, scenario.sim.dt);
+        for (const ObserverConfig& shadow : shadows) require_one_meaning(shadow, called);
         for (const WrittenText& specification : lineup.observers) {
           for (const std::string& profile : lineup.profiles) {
             const ObserverConfig observer =
@@ -99,7 +138,7 @@ BatchPlan plan_batch(const BatchRequest& request) {
                                 gains,          std::string(to_string(scenario.planner.kind)),
                                 overrides,      seed};
               if (!planned.insert(key).second) continue;
-              plan.cells.push_back({key, plan.scenarios.size() - 1, observer});
+              plan.cells.push_back({key, plan.scenarios.size() - 1, observer, without(shadows, observer)});
             }
           }
         }

@@ -15,6 +15,7 @@ struct BatchRequest {
   // Specifications; empty: the scenario's own, else every built-in one. A batch that names no scenario runs those that
   // are about certain observers with their own whatever is asked here; likewise with the profiles that belong to them.
   std::vector<std::string> observers;
+  std::vector<std::string> shadows;    // specifications of observers that watch every cell, first profile asked for
   std::vector<std::string> profiles;   // empty: every shipped one
   std::vector<std::string> gains;      // gain sets of the controller; empty: "paper"
   std::string planner;                 // empty: the scenario's own
@@ -27,6 +28,7 @@ struct PlannedCell {
   CellKey key;
   std::size_t scenario = 0;  // index into BatchPlan::scenarios
   ObserverConfig observer;
+  std::vector<ObserverConfig> shadows = {};  // without the cell's own observer
 };
 
 struct BatchPlan {
@@ -34,6 +36,10 @@ struct BatchPlan {
   std::vector<ResolvedScenario> resolved;  // their resolved files, for the run directory
   std::vector<PlannedCell> cells;          // in the order of the tables; no cell twice
 };
+
+// The observers of a list "NAME[:key=value,...],NAME,...": a part with an '=' and no ':' before it is an option of the
+// observer before it, except "legs=", which begins a pair.
+std::vector<std::string> split_specifications(const std::string& list);
 
 // Throws InputError for the first thing that cannot be run.
 BatchPlan plan_batch(const BatchRequest& request);

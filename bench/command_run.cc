@@ -17,6 +17,7 @@ namespace {
 struct Arguments {
   BatchRequest request;
   BatchOptions options;
+  std::vector<std::string> shadows;
   std::string seeds = "1";
   std::string log = "none";
 };
@@ -45,11 +46,16 @@ void read_seeds(const std::string& text, BatchRequest& request) {
 
 int run(Arguments& arguments) {
   read_seeds(arguments.seeds, arguments.request);
+  for (const std::string& list : arguments.shadows) {
+    for (std::string& shadow : split_specifications(list)) arguments.request.shadows.push_back(std::move(shadow));
+  }
   arguments.options.log_csv = arguments.log == "csv";
   arguments.options.progress = ::isatty(STDERR_FILENO) == 1;
   const BatchPlan plan = plan_batch(arguments.request);
   const BatchSummary summary = run_batch(plan, arguments.options);
-  fmt::print("{}", render_table(read_run(summary.dir), {}));
+  const Run finished = read_run(summary.dir);
+  fmt::print("{}", render_table(finished, {}));
+  if (!arguments.request.shadows.empty()) fmt::print("\n{}", render_table(finished, {.shadow = true}));
   fmt::print("\nrun directory: {}\n", summary.dir.string());
   if (summary.stop_signal != 0) return kExitSignal + summary.stop_signal;
   return summary.errors > 0 ? kExitCellErrors : kExitOk;
@@ -67,6 +73,8 @@ Command add_run_command(CLI::App& app, const std::string& command_line) {
   command->add_option("scenario", request.scenarios, "NAME, NAME/VARIANT or FILE.toml; the paper's set by default");
   command
       ->add_option("--observer", request.observers, "NAME[:key=value,...]; the scenario's own, else every built-in one")
+      ->allow_extra_args(false);
+  command->add_option("--shadow", arguments->shadows, "NAME[:key=value,...],...: watch every cell; `table --shadow`")
       ->allow_extra_args(false);
   command->add_option("--profile", request.profiles, "gains and routing of the observers; every one by default")
       ->allow_extra_args(false);

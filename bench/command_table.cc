@@ -27,7 +27,10 @@ Command add_table_command(CLI::App& app) {
       ->transform(CLI::CheckedTransformer(formats));
   command->add_option("--by", arguments->options.order, "scenario or observer")
       ->transform(CLI::CheckedTransformer(orders));
-  command->add_flag("--timing", arguments->options.timing, "with the figures that differ from run to run");
+  command->add_option("--reference", arguments->options.reference,
+                      "OBSERVER[@PROFILE] that the others are compared with, run by run (default none)");
+  command->add_flag("--shadow", arguments->options.shadow, "the estimates of the shadow observers instead");
+  command->add_flag("--timing", arguments->options.timing, "with what a serial timing pass has measured");
   return [arguments] {
     fmt::print("{}", render_table(read_run(arguments->dir), arguments->options));
     return kExitOk;

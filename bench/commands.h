@@ -1,5 +1,6 @@
 // The commands of dobbench. Each adds its options to the command line; the returned function runs it and returns the
-// exit code: 0 done, 2 bad input (nothing was run), 3 some cells could not be run, 128 + n stopped by signal n.
+// exit code: 0 done, 1 a comparison says no, 2 bad input (nothing was run), 3 some cells could not be run, 128 + n
+// stopped by signal n.
 #pragma once
 
 #include <functional>
@@ -10,6 +11,7 @@
 namespace dob {
 
 inline constexpr int kExitOk = 0;
+inline constexpr int kExitSaysNo = 1;
 inline constexpr int kExitBadInput = 2;
 inline constexpr int kExitCellErrors = 3;
 inline constexpr int kExitSignal = 128;
@@ -18,6 +20,7 @@ using Command = std::function<int()>;
 
 Command add_analyse_command(CLI::App& app);
 Command add_check_command(CLI::App& app);
+Command add_compare_command(CLI::App& app);
 Command add_list_command(CLI::App& app);
 Command add_run_command(CLI::App& app, const std::string& command_line);
 Command add_table_command(CLI::App& app);

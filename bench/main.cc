@@ -24,9 +24,13 @@ int run(int argc, char** argv) {
   app.set_version_flag("--version", fmt::format("dobbench {} ({}, {}, {})", build.version, build.commit,
                                                 build.build_type, build.compiler));
   const std::map<std::string, dob::Command> commands{
-      {"analyse", dob::add_analyse_command(app)}, {"check", dob::add_check_command(app)},
-      {"list", dob::add_list_command(app)},       {"run", dob::add_run_command(app, command_line(argc, argv))},
-      {"table", dob::add_table_command(app)},     {"tune", dob::add_tune_command(app, command_line(argc, argv))},
+      {"analyse", dob::add_analyse_command(app)},
+      {"check", dob::add_check_command(app)},
+      {"compare", dob::add_compare_command(app)},
+      {"list", dob::add_list_command(app)},
+      {"run", dob::add_run_command(app, command_line(argc, argv))},
+      {"table", dob::add_table_command(app)},
+      {"tune", dob::add_tune_command(app, command_line(argc, argv))},
   };
   try {
     app.parse(argc, argv);

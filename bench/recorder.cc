@@ -81,7 +81,7 @@ const TickRecord& Recorder::record(double t, const ModelTerms& m, const Locomoti
   r.saturated_joints = static_cast<int>((step.joint_torque.array().abs() >= torque_limit_.array()).count());
   r.disturbance_onset = disturbances.changed();
   r.disturbance_active = disturbances.active();
-  record_estimate(estimate);
+  judge(estimate, r);
   remember_truth(m, disturbances.forces());
   r.qp_solved = command.event != QpEvent::kHeld;
   r.qp_status = command.qp_status;
@@ -110,14 +110,16 @@ void Recorder::record_balance(const ModelTerms& m, const LocomotionController& c
   r.center_of_pressure = moment / normal;
 }
 
-void Recorder::record_estimate(const Estimate& estimate) noexcept {
-  TickRecord& r = record_;
+void Recorder::judge(const Estimate& estimate, TickRecord& r) const noexcept {
   r.has_leg_estimate = estimate.has_legs && have_truth_;
   r.leg_torque_estimate = estimate.leg_torque;
   r.leg_torque_true = true_torque_;
   r.has_force_estimate = r.has_leg_estimate && single_leg_force_;
   r.force_true = true_force_;
   r.force_estimate = r.has_force_estimate ? force_at_point(point_jacobian_, estimate.leg_torque) : Vec3::Zero();
+  r.has_com_estimate = estimate.has_com && have_truth_;
+  r.com_wrench_estimate = estimate.com_wrench;
+  r.com_wrench_true = true_wrench_;
 }
 
 void Recorder::tell_truth(Estimate& estimate) const noexcept {

@@ -16,11 +16,6 @@
 namespace dob {
 namespace {
 
-bool is_oracle(std::string_view observer) noexcept {
-  const ObserverInfo* info = find_built_in_observer(observer);
-  return info != nullptr && info->oracle;
-}
-
 // FNV-1a over the bytes of a state: equal bits, equal hash.
 std::uint64_t hash_state(std::uint64_t hash, const RobotState& s) noexcept {
   const auto add = [&hash](const double* data, int count) {
@@ -64,7 +59,8 @@ DisturbanceEstimate for_controller(const Estimate& e) noexcept {
 
 }  // namespace
 
-Trial::Trial(const Scenario& scenario, const ObserverConfig& observer, int seed)
+Trial::Trial(const Scenario& scenario, const ObserverConfig& observer, int seed,
+             const std::vector<ObserverConfig>& shadows)
     : scenario_(scenario),
       observer_config_(observer),
       seed_(seed),
@@ -74,6 +70,7 @@ Trial::Trial(const Scenario& scenario, const ObserverConfig& observer, int seed)
       sensors_(scenario.noise, static_cast<std::uint64_t>(seed)),
       observer_(make_observer(observer.observer, observer.options, scenario.sim.dt)),
       oracle_(is_oracle(observer.observer)),
+      shadows_(shadows, scenario.sim.dt),
       controller_(locomotion_options(scenario, observer.routing), ReferencePath(scenario.path), scenario.sim.dt),
       recorder_(robot_, scenario_) {
   RobotState initial = standing_pose(model_, scenario_.planner.com_height, scenario_.planner.footsteps.foot_offset_x,
@@ -86,6 +83,7 @@ Trial::Trial(const Scenario& scenario, const ObserverConfig& observer, int seed)
   simulator_.reset(initial);
   model_.compute(initial, *now_);
   observer_->reset(*now_);
+  shadows_.reset(*now_);
   controller_.reset(*now_, initial_footstep_time_, first_step_);
 }
 
@@ -139,6 +137,7 @@ bool Trial::tick() {
   disturbances_.update(t, swing_phase(controller_.gait()), m.state);
 
   const StepResult step = simulator_.step(command.torque, disturbances_.forces());
+  shadows_.judge(recorder_);
   record_ = recorder_.record(t, m, controller_, command, step, estimate_, disturbances_);
 
   std::swap(start_, now_);
@@ -150,9 +149,10 @@ bool Trial::tick() {
 
 void Trial::observe(const SensorReading& reading) noexcept {
   for (int l = 0; l < kLegs; ++l) foot_force_.segment<3>(3 * l) = reading.foot_force_W[l];
-  estimate_ =
-      observer_->update({*start_, *now_, reading.joint_torque, foot_force_, controller_.stance(), scenario_.sim.dt});
+  const ObserverInput input{*start_, *now_, reading.joint_torque, foot_force_, controller_.stance(), scenario_.sim.dt};
+  estimate_ = observer_->update(input);
   if (oracle_) recorder_.tell_truth(estimate_);
+  shadows_.update(input, recorder_);
 }
 
 CellResult Trial::run(const Sink& sink) {
@@ -173,7 +173,10 @@ CellResult Trial::run(const Sink& sink) {
   while (tick_ < ticks) {
     const bool up = tick();
     hash = hash_state(hash, now_->state);
-    if (up) metrics.add(record_);
+    if (up) {
+      metrics.add(record_);
+      shadows_.count();
+    }
     if (sink) sink(record_);
     if (!up) {
       result.outcome = Outcome::kFell;
@@ -187,6 +190,8 @@ CellResult Trial::run(const Sink& sink) {
   result.simulated_s = time();
   result.state_hash = hash;
   result.metrics = metrics.finish();
+  result.checkpoints = metrics.checkpoints();
+  result.shadows = shadows_.results();
   result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
   return result;
 }

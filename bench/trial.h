@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/recorder.h"
+#include "bench/shadows.h"
 #include "controller/locomotion_controller.h"
 #include "observers/observer.h"
 #include "results/cell.h"
@@ -19,8 +20,10 @@ namespace dob {
 
 class Trial {
  public:
-  // Builds everything and stands the robot up. Throws std::exception with a message for the user.
-  Trial(const Scenario& scenario, const ObserverConfig& observer, int seed);
+  // Builds everything and stands the robot up. `shadows` watch the trial without a part in it. Throws std::exception
+  // with a message for the user.
+  Trial(const Scenario& scenario, const ObserverConfig& observer, int seed,
+        const std::vector<ObserverConfig>& shadows = {});
   ~Trial();
 
   using Sink = std::function<void(const TickRecord&)>;
@@ -56,6 +59,7 @@ class Trial {
   Sensors sensors_;
   std::unique_ptr<DisturbanceObserver> observer_;
   bool oracle_;  // the truth takes the place of the observer's estimate
+  Shadows shadows_;
   LocomotionController controller_;
   double initial_footstep_time_ = 0.0;
   int first_step_ = 0;

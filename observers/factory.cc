@@ -229,6 +229,11 @@ const ObserverInfo* find_built_in_observer(std::string_view name) noexcept {
   return found == kBuiltIn.end() ? nullptr : &*found;
 }
 
+bool is_oracle(std::string_view name) noexcept {
+  const ObserverInfo* info = find_built_in_observer(name);
+  return info != nullptr && info->oracle;
+}
+
 std::unique_ptr<DisturbanceObserver> make_observer(std::string_view name, const ObserverOptions& options, double dt) {
   if (const auto pair = parse_pair_name(name)) {
     return make_pair_observer(name, part(name, pair->legs, &ObserverInfo::estimates_legs, "legs"),

@@ -25,6 +25,9 @@ std::span<const ObserverInfo> built_in_observers() noexcept;
 // nullptr: none of that name.
 const ObserverInfo* find_built_in_observer(std::string_view name) noexcept;
 
+// Whether it is a built-in oracle.
+bool is_oracle(std::string_view name) noexcept;
+
 // The observer of that name or plugin (plugin.h), or the pair `legs=NAME,com=NAME` of one that estimates the legs and
 // one that estimates the CoM (pair.h; options `legs.KEY` and `com.KEY`), ready for ticks of dt [s]. Throws OptionError:
 // no such observer (what() lists those there are), a part that does not estimate its part, an oracle in a pair, or an

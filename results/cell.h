@@ -23,6 +23,7 @@ struct CellMetrics {
   std::optional<double> foot_error_max_m, foot_error_p99_m, foot_error_onset_max_m, foot_error_stance_max_m;
   std::optional<double> foothold_error_max_m, grf_error_mean_N;
   std::optional<double> estimate_rmse_N, joint_estimate_rmse_Nm;
+  std::optional<double> com_force_rmse_N, com_moment_rmse_Nm;
   std::optional<double> orientation_error_max_rad, torque_saturation_ratio, slip_max_m;
   long qp_solves = 0;
   long planner_failures = 0;  // ZMP optimisations that did not end optimal; the regularised path was walked
@@ -52,6 +53,14 @@ struct CellResult {
   CellMetrics metrics;
   std::vector<MetricsCheckpoint> checkpoints;  // in the order of time
   std::vector<ShadowResult> shadows;
+};
+
+// What a serial pass has measured of a cell: how long the work of a control tick takes.
+struct CellTiming {
+  CellKey key;
+  double tick_p50_us = 0.0, tick_p99_us = 0.0, tick_max_us = 0.0;  // [us] model, observer, controller with its QP
+  double qp_p50_us = 0.0, qp_p99_us = 0.0;                         // [us] ticks' QP, at ticks where one was solved
+  double real_time_factor = 0.0;                                   // simulated over wall time, simulator included
 };
 
 }  // namespace dob

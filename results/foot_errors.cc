@@ -39,6 +39,8 @@ void FootErrors::add_swing(const TickRecord& tick, double error) noexcept {
     onset_swing_ = false;
     swing_ticks_ = 0;
     swing_begin_ = swing_.size();
+    earlier_swings_max_ = swing_max();
+    present_swing_max_.reset();
   }
   if (tick.disturbance_onset && swing_ticks_ < onset_window_ && !onset_swing_) move_present_swing_to_onset();
   ++swing_ticks_;
@@ -46,17 +48,19 @@ void FootErrors::add_swing(const TickRecord& tick, double error) noexcept {
     onset_max_ = larger(onset_max_, error);
   } else {
     swing_.push_back(error);
+    present_swing_max_ = larger(present_swing_max_, error);
   }
 }
 
 void FootErrors::move_present_swing_to_onset() noexcept {
   onset_swing_ = true;
-  for (std::size_t i = swing_begin_; i < swing_.size(); ++i) onset_max_ = larger(onset_max_, swing_[i]);
+  onset_max_ = larger(onset_max_, present_swing_max_);
+  present_swing_max_.reset();
   swing_.resize(swing_begin_);
 }
 
 FootErrorSummary FootErrors::finish() const {
-  return {max_of(swing_), p99_of(swing_), onset_max_, stance_max_, foothold_max_};
+  return {swing_max(), p99_of(swing_), onset_max_, stance_max_, foothold_max_};
 }
 
 std::optional<double> larger(std::optional<double> a, std::optional<double> b) noexcept {
@@ -69,12 +73,6 @@ std::optional<double> p99_of(const std::vector<double>& samples) {
   if (samples.empty()) return std::nullopt;
   const bool finite = std::all_of(samples.begin(), samples.end(), [](double x) { return std::isfinite(x); });
   return finite ? quantile(samples, 0.99) : std::numeric_limits<double>::quiet_NaN();
-}
-
-std::optional<double> max_of(const std::vector<double>& samples) noexcept {
-  std::optional<double> largest;
-  for (const double x : samples) largest = larger(largest, x);
-  return largest;
 }
 
 }  // namespace dob

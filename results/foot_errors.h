@@ -9,6 +9,12 @@
 
 namespace dob {
 
+// The larger of the two; a NaN wins over everything, so that no later sample can hide it.
+std::optional<double> larger(std::optional<double> a, std::optional<double> b) noexcept;
+
+// The p99 of samples that may be empty (nullopt) or hold something not finite (NaN).
+std::optional<double> p99_of(const std::vector<double>& samples);
+
 // [m]; nullopt where there was no such tick, NaN where an error was not finite.
 struct FootErrorSummary {
   std::optional<double> swing_max, swing_p99, onset_max, stance_max, foothold_max;
@@ -25,6 +31,9 @@ class FootErrors {
 
   FootErrorSummary finish() const;
 
+  // The swing_max of finish(), without its cost.
+  std::optional<double> swing_max() const noexcept { return larger(earlier_swings_max_, present_swing_max_); }
+
  private:
   void add_swing(const TickRecord& tick, double error) noexcept;
   void move_present_swing_to_onset() noexcept;
@@ -36,14 +45,8 @@ class FootErrors {
   int swing_ticks_ = 0;          // ticks of the present swing so far
   bool in_swing_ = false;
   bool onset_swing_ = false;
+  std::optional<double> earlier_swings_max_, present_swing_max_;  // of those that are not onset swings
   std::optional<double> onset_max_, stance_max_, foothold_max_;
 };
-
-// The larger of the two; a NaN wins over everything, so that no later sample can hide it.
-std::optional<double> larger(std::optional<double> a, std::optional<double> b) noexcept;
-
-// The p99 and the maximum of samples that may be empty (nullopt) or hold something not finite (NaN).
-std::optional<double> p99_of(const std::vector<double>& samples);
-std::optional<double> max_of(const std::vector<double>& samples) noexcept;
 
 }  // namespace dob

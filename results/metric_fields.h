@@ -32,6 +32,8 @@ inline constexpr std::array kMetricFields{
     MetricField{"grf_error_mean_N", &CellMetrics::grf_error_mean_N},
     MetricField{"estimate_rmse_N", &CellMetrics::estimate_rmse_N},
     MetricField{"joint_estimate_rmse_Nm", &CellMetrics::joint_estimate_rmse_Nm},
+    MetricField{"com_force_rmse_N", &CellMetrics::com_force_rmse_N},
+    MetricField{"com_moment_rmse_Nm", &CellMetrics::com_moment_rmse_Nm},
     MetricField{"orientation_error_max_rad", &CellMetrics::orientation_error_max_rad},
     MetricField{"torque_saturation_ratio", &CellMetrics::torque_saturation_ratio},
     MetricField{"qp_failures", nullptr, &CellMetrics::qp_failures},

@@ -1,11 +1,14 @@
 #include "results/metrics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
 namespace dob {
 namespace {
+
+constexpr double kCheckpointInterval = 0.5;  // [s]
 
 std::size_t expected_ticks(double dt, double duration) {
   if (!(dt > 0.0) || !std::isfinite(dt)) {
@@ -15,14 +18,6 @@ std::size_t expected_ticks(double dt, double duration) {
     throw std::invalid_argument("metrics: duration = " + std::to_string(duration) + " s, allowed: >= 0");
   }
   return static_cast<std::size_t>(std::ceil(duration / dt)) + 1;
-}
-
-std::optional<double> root(std::optional<double> mean_square) noexcept {
-  return mean_square ? std::optional(std::sqrt(*mean_square)) : std::nullopt;
-}
-
-std::optional<double> finite(std::optional<double> x) noexcept {
-  return x && std::isfinite(*x) ? x : std::nullopt;
 }
 
 FootErrorSummary worst_of(const std::vector<FootErrors>& feet) {
@@ -41,9 +36,11 @@ FootErrorSummary worst_of(const std::vector<FootErrors>& feet) {
 }  // namespace
 
 MetricsAccumulator::MetricsAccumulator(std::optional<Leg> metric_leg, double dt, double duration)
-    : metric_leg_(metric_leg) {
+    : metric_leg_(metric_leg), dt_(dt) {
   const std::size_t ticks = expected_ticks(dt, duration);
+  ticks_per_checkpoint_ = std::max(1L, std::lround(kCheckpointInterval / dt));
   com_error_.reserve(ticks);
+  checkpoints_.reserve(ticks / static_cast<std::size_t>(ticks_per_checkpoint_) + 1);
   for (int leg = 0; leg < kLegs; ++leg) {
     if (!metric_leg || static_cast<int>(*metric_leg) == leg) feet_.emplace_back(leg, dt, ticks);
   }
@@ -51,19 +48,24 @@ MetricsAccumulator::MetricsAccumulator(std::optional<Leg> metric_leg, double dt,
 }
 
 void MetricsAccumulator::add(const TickRecord& tick) noexcept {
-  com_error_.push_back((tick.com - tick.com_reference).norm());
+  const double com_error = (tick.com - tick.com_reference).norm();
+  com_error_.push_back(com_error);
+  com_error_max_ = larger(com_error_max_, com_error);
+  com_error_square_.add(com_error * com_error);
   path_error_max_ = larger(path_error_max_, (tick.com.head<2>() - tick.path_position).norm());
   orientation_error_max_ = larger(orientation_error_max_, tick.orientation_error);
   saturated_joints_.add(tick.saturated_joints);
   for (FootErrors& foot : feet_) foot.add(tick);
   add_force_errors(tick);
-  add_estimate_errors(tick);
+  estimate_errors_.add(estimate_error(tick));
   add_slip(tick);
   if (tick.zmp_planned && tick.zmp_status != QpStatus::kOptimal) ++planner_failures_;
   if (tick.qp_solved) {
     ++qp_solves_;
     if (tick.qp_status != QpStatus::kOptimal) ++qp_failures_;
   }
+  ++ticks_;
+  if (ticks_ % ticks_per_checkpoint_ == 0) checkpoints_.push_back(checkpoint());
 }
 
 void MetricsAccumulator::add_force_errors(const TickRecord& tick) noexcept {
@@ -71,13 +73,6 @@ void MetricsAccumulator::add_force_errors(const TickRecord& tick) noexcept {
     if (!tick.stance[static_cast<std::size_t>(leg)]) continue;
     if (metric_leg_ && static_cast<Eigen::Index>(*metric_leg_) != leg) continue;
     grf_error_.add((tick.foot_force_commanded.segment<3>(3 * leg) - tick.foot_force.segment<3>(3 * leg)).norm());
-  }
-}
-
-void MetricsAccumulator::add_estimate_errors(const TickRecord& tick) noexcept {
-  if (tick.has_force_estimate) estimate_square_.add((tick.force_estimate - tick.force_true).squaredNorm());
-  if (tick.has_leg_estimate) {
-    joint_estimate_square_.add((tick.leg_torque_estimate - tick.leg_torque_true).squaredNorm());
   }
 }
 
@@ -90,14 +85,34 @@ void MetricsAccumulator::add_slip(const TickRecord& tick) noexcept {
   }
 }
 
+std::optional<double> MetricsAccumulator::foot_error_max() const noexcept {
+  std::optional<double> worst;
+  for (const FootErrors& foot : feet_) worst = larger(worst, foot.swing_max());
+  return worst;
+}
+
+MetricsCheckpoint MetricsAccumulator::checkpoint() const noexcept {
+  return {.t = static_cast<double>(ticks_) * dt_,
+          .com_error_max_m = finite(com_error_max_),
+          .com_error_rms_m = finite(root(com_error_square_.value())),
+          .path_error_max_m = finite(path_error_max_),
+          .foot_error_max_m = finite(foot_error_max()),
+          .grf_error_mean_N = finite(grf_error_.value())};
+}
+
+std::vector<MetricsCheckpoint> MetricsAccumulator::checkpoints() const {
+  std::vector<MetricsCheckpoint> all = checkpoints_;
+  if (ticks_ % ticks_per_checkpoint_ != 0) all.push_back(checkpoint());
+  return all;
+}
+
 CellMetrics MetricsAccumulator::finish() const {
-  RunningMean com_square;
-  for (const double error : com_error_) com_square.add(error * error);
   const FootErrorSummary foot = worst_of(feet_);
+  const EstimateRmse estimate = estimate_errors_.rmse();
   const std::optional<double> saturated = saturated_joints_.value();
   CellMetrics m;
-  m.com_error_max_m = finite(max_of(com_error_));
-  m.com_error_rms_m = finite(root(com_square.value()));
+  m.com_error_max_m = finite(com_error_max_);
+  m.com_error_rms_m = finite(root(com_error_square_.value()));
   m.com_error_p99_m = finite(p99_of(com_error_));
   m.path_error_max_m = finite(path_error_max_);
   m.foot_error_max_m = finite(foot.swing_max);
@@ -106,8 +121,10 @@ CellMetrics MetricsAccumulator::finish() const {
   m.foot_error_stance_max_m = finite(foot.stance_max);
   m.foothold_error_max_m = finite(foot.foothold_max);
   m.grf_error_mean_N = finite(grf_error_.value());
-  m.estimate_rmse_N = finite(root(estimate_square_.value()));
-  m.joint_estimate_rmse_Nm = finite(root(joint_estimate_square_.value()));
+  m.estimate_rmse_N = finite(estimate.force_N);
+  m.joint_estimate_rmse_Nm = finite(estimate.joint_Nm);
+  m.com_force_rmse_N = finite(estimate.com_force_N);
+  m.com_moment_rmse_Nm = finite(estimate.com_moment_Nm);
   m.orientation_error_max_rad = finite(orientation_error_max_);
   m.torque_saturation_ratio = saturated ? std::optional(*saturated / kJoints) : std::nullopt;
   m.slip_max_m = finite(slip_max_);

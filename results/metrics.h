@@ -6,26 +6,12 @@
 #include <vector>
 
 #include "results/cell.h"
+#include "results/estimate_errors.h"
 #include "results/foot_errors.h"
+#include "results/running_mean.h"
 #include "results/tick_record.h"
 
 namespace dob {
-
-// Mean of what was added; nullopt if nothing was.
-class RunningMean {
- public:
-  void add(double x) noexcept {
-    sum_ += x;
-    ++count_;
-  }
-  std::optional<double> value() const noexcept {
-    return count_ == 0 ? std::nullopt : std::optional(sum_ / static_cast<double>(count_));
-  }
-
- private:
-  double sum_ = 0.0;
-  long count_ = 0;
-};
 
 // A metric that has met a value that is not finite ends as nullopt, never as the figure of the other ticks. The
 // record of the tick at which a trial ends because its state is not finite must therefore not be added.
@@ -41,17 +27,28 @@ class MetricsAccumulator {
 
   CellMetrics finish() const;
 
+  // One every 0.5 s and one at the end: each is, bit for bit, what finish() would have said had the trial ended there.
+  // So a swing under way counts as what it has been so far; it leaves foot_error_max_m again, which may then become
+  // smaller, if a disturbance's onset in its first 20 ms makes it an onset swing.
+  std::vector<MetricsCheckpoint> checkpoints() const;
+
  private:
   void add_force_errors(const TickRecord& tick) noexcept;
-  void add_estimate_errors(const TickRecord& tick) noexcept;
   void add_slip(const TickRecord& tick) noexcept;
+  std::optional<double> foot_error_max() const noexcept;
+  MetricsCheckpoint checkpoint() const noexcept;
 
   std::optional<Leg> metric_leg_;
   std::vector<double> com_error_;  // [m] one per tick
   std::vector<FootErrors> feet_;   // of metric_leg_ or of all legs
-  std::optional<double> path_error_max_, orientation_error_max_, slip_max_;
-  RunningMean grf_error_, estimate_square_, joint_estimate_square_, saturated_joints_;
+  std::optional<double> com_error_max_, path_error_max_, orientation_error_max_, slip_max_;
+  RunningMean com_error_square_, grf_error_, saturated_joints_;
+  EstimateErrors estimate_errors_;
   PerLeg<Vec3> slip_;  // [m] of the present stance
+  double dt_;          // [s]
+  long ticks_ = 0;
+  long ticks_per_checkpoint_ = 1;
+  std::vector<MetricsCheckpoint> checkpoints_;
   long qp_solves_ = 0;
   long qp_failures_ = 0;
   long planner_failures_ = 0;

@@ -36,8 +36,9 @@ struct ResolvedScenario {
 
 struct Run {
   RunInfo info;
-  std::vector<CellResult> cells;   // finished ones, in the order of info.cells
-  std::vector<std::string> notes;  // what was odd and could be read all the same
+  std::vector<CellResult> cells;    // finished ones, in the order of info.cells
+  std::vector<CellTiming> timings;  // of a serial pass, in the order of info.cells; not every cell has one
+  std::vector<std::string> notes;   // what was odd and could be read all the same
 };
 
 // what() begins with the path, and the line where there is one.

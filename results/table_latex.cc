@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -36,8 +37,9 @@ std::string latex(const std::string& text) {
   return out;
 }
 
+// A line that begins with '[' or '*' would be taken for an option of the line end before it.
 std::string latex_line(const std::vector<std::string>& cells) {
-  return fmt::format("{} \\\\\n", fmt::join(cells, " & "));
+  return fmt::format("{{}}{} \\\\\n", fmt::join(cells, " & "));
 }
 
 std::string latex_block(const TableBlock& block) {
@@ -46,12 +48,14 @@ std::string latex_block(const TableBlock& block) {
   for (const BlockColumn& column : block.columns) {
     alignment += column.right ? 'r' : 'l';
     headings.push_back(latex(column.heading));
-    units.push_back(column.unit_in_brackets());
+    units.push_back(latex(column.unit_in_brackets()));
   }
   std::string out = fmt::format(
       "\\begin{{table}}\n\\centering\n\\caption{{{}}}\n\\begin{{tabular}}{{{}}}\n\\toprule\n{}{}\\midrule\n",
       latex(block.title), alignment, latex_line(headings), latex_line(units));
-  for (std::vector<std::string> row : block.rows) {
+  for (std::size_t i = 0; i < block.rows.size(); ++i) {
+    if (std::count(block.rules.begin(), block.rules.end(), i) > 0) out += "\\midrule\n";
+    std::vector<std::string> row = block.rows[i];
     for (std::string& cell : row) cell = latex(cell);
     out += latex_line(row);
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "observers/factory.h"
+
 namespace dob {
 namespace {
 
@@ -15,37 +17,27 @@ constexpr std::array<KeyField, 7> kObserverFirst{&CellKey::observer, &CellKey::p
                                                  &CellKey::planner,  &CellKey::overrides, &CellKey::scenario,
                                                  &CellKey::variant};
 
-CellKey without_seed(CellKey key) {
-  key.seed = 0;
-  return key;
-}
-
-// Rank of every value of every field: its first mention in the run.
-class Ranks {
+// Place of every value of every field: its first mention in the run.
+class Places {
  public:
-  Ranks(const std::vector<CellKey>& keys, const std::array<KeyField, 7>& fields) : fields_(fields) {
+  Places(const std::vector<CellKey>& keys, const std::array<KeyField, 7>& fields) : fields_(fields) {
     for (const CellKey& key : keys) {
       for (std::size_t i = 0; i < fields.size(); ++i) {
-        ranks_[i].try_emplace(key.*fields[i], ranks_[i].size());
+        places_[i].try_emplace(key.*fields[i], places_[i].size());
       }
     }
   }
 
   std::array<std::size_t, 7> of(const CellKey& key) const {
-    std::array<std::size_t, 7> rank{};
-    for (std::size_t i = 0; i < rank.size(); ++i) rank[i] = ranks_[i].at(key.*fields_[i]);
-    return rank;
+    std::array<std::size_t, 7> place{};
+    for (std::size_t i = 0; i < place.size(); ++i) place[i] = places_[i].at(key.*fields_[i]);
+    return place;
   }
 
  private:
   std::array<KeyField, 7> fields_;
-  std::array<std::map<std::string, std::size_t>, 7> ranks_;
+  std::array<std::map<std::string, std::size_t>, 7> places_;
 };
-
-MetricSummary summarise(const std::vector<double>& samples) {
-  if (samples.empty()) return {};
-  return {median(samples), *std::max_element(samples.begin(), samples.end()), bootstrap_median_interval(samples)};
-}
 
 void add_reason(std::string& reasons, const std::string& reason) {
   const std::string separator = "; ";
@@ -56,7 +48,7 @@ void add_reason(std::string& reasons, const std::string& reason) {
 }
 
 void count(TableRow& row, const std::vector<const CellResult*>& cells) {
-  std::vector<double> fall_times, factors;
+  std::vector<double> fall_times;
   for (const CellResult* cell : cells) {
     if (cell->outcome == Outcome::kError) {
       ++row.errors;
@@ -64,7 +56,6 @@ void count(TableRow& row, const std::vector<const CellResult*>& cells) {
       continue;
     }
     ++row.runs;
-    if (cell->wall_s > 0.0) factors.push_back(cell->simulated_s / cell->wall_s);
     if (cell->outcome != Outcome::kFell) continue;
     ++row.falls;
     fall_times.push_back(cell->simulated_s);
@@ -72,7 +63,6 @@ void count(TableRow& row, const std::vector<const CellResult*>& cells) {
   }
   row.fall_time_median_s = summarise(fall_times).median;
   row.falls_ci95 = wilson_interval(row.falls, row.runs);
-  row.real_time_factor = summarise(factors).median;
   row.until_fall = row.falls > 0 && row.falls == row.runs;
 }
 
@@ -81,6 +71,7 @@ TableRow make_row(const CellKey& key, int seeds, std::vector<const CellResult*> 
   TableRow row;
   row.key = key;
   row.seeds = seeds;
+  row.oracle = is_oracle(key.observer.substr(0, key.observer.find(':')));
   count(row, cells);
   const Outcome counted = row.until_fall ? Outcome::kFell : Outcome::kSurvived;
   for (std::size_t i = 0; i < kMetricFields.size(); ++i) {
@@ -94,20 +85,50 @@ TableRow make_row(const CellKey& key, int seeds, std::vector<const CellResult*> 
   return row;
 }
 
+TimingSummary summarise(const std::vector<const CellTiming*>& timings) {
+  const auto values = [&](double CellTiming::*field) {
+    std::vector<double> samples;
+    for (const CellTiming* timing : timings) samples.push_back(timing->*field);
+    return samples;
+  };
+  return {.tick_p50_us = median(values(&CellTiming::tick_p50_us)),
+          .tick_p99_us = median(values(&CellTiming::tick_p99_us)),
+          .tick_max_us = quantile(values(&CellTiming::tick_max_us), 1.0),
+          .qp_p50_us = median(values(&CellTiming::qp_p50_us)),
+          .qp_p99_us = median(values(&CellTiming::qp_p99_us)),
+          .real_time_factor = median(values(&CellTiming::real_time_factor))};
+}
+
 }  // namespace
+
+MetricSummary summarise(const std::vector<double>& samples) {
+  if (samples.empty()) return {};
+  return {median(samples), *std::max_element(samples.begin(), samples.end()), bootstrap_median_interval(samples)};
+}
+
+CellKey without_seed(CellKey key) {
+  key.seed = 0;
+  return key;
+}
 
 std::vector<TableRow> build_rows(const Run& run, TableOrder order) {
   std::map<CellKey, int> seeds;
   for (const CellKey& key : run.info.cells) ++seeds[without_seed(key)];
   std::map<CellKey, std::vector<const CellResult*>> cells;
   for (const CellResult& cell : run.cells) cells[without_seed(cell.key)].push_back(&cell);
+  std::map<CellKey, std::vector<const CellTiming*>> timings;
+  for (const CellTiming& timing : run.timings) timings[without_seed(timing.key)].push_back(&timing);
 
   std::vector<TableRow> rows;
   rows.reserve(seeds.size());
-  for (const auto& [key, number] : seeds) rows.push_back(make_row(key, number, cells[key]));
-  const Ranks ranks(run.info.cells, order == TableOrder::kByObserver ? kObserverFirst : kScenarioFirst);
+  for (const auto& [key, number] : seeds) {
+    rows.push_back(make_row(key, number, cells[key]));
+    if (timings.contains(key)) rows.back().timing = summarise(timings[key]);
+  }
+  rank_rows(rows);
+  const Places places(run.info.cells, order == TableOrder::kByObserver ? kObserverFirst : kScenarioFirst);
   std::sort(rows.begin(), rows.end(),
-            [&](const TableRow& a, const TableRow& b) { return ranks.of(a.key) < ranks.of(b.key); });
+            [&](const TableRow& a, const TableRow& b) { return places.of(a.key) < places.of(b.key); });
   return rows;
 }
 

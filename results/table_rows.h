@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "results/metric_fields.h"
+#include "results/paired.h"
 #include "results/statistics.h"
 #include "results/table.h"
 
@@ -23,6 +24,12 @@ struct MetricSummary {
   std::optional<Interval> ci95;  // bootstrap, of the median
 };
 
+// Of a serial pass: medians over the seeds that were timed, of the longest tick the longest.
+struct TimingSummary {
+  double tick_p50_us = 0.0, tick_p99_us = 0.0, tick_max_us = 0.0, qp_p50_us = 0.0, qp_p99_us = 0.0;  // [us]
+  double real_time_factor = 0.0;  // simulated / wall time of the trial
+};
+
 struct TableRow {
   CellKey key;    // its seed has no meaning
   int seeds = 0;  // that belong to the row, run yet or not
@@ -32,13 +39,29 @@ struct TableRow {
   std::optional<double> fall_time_median_s;  // over the runs that fell
   std::optional<Interval> falls_ci95;        // Wilson, of falls / runs
   std::array<MetricSummary, kMetricFields.size()> metrics;
-  std::optional<double> real_time_factor;  // median of simulated / wall time over the runs
-  bool until_fall = false;                 // metrics are those of fallen runs, up to the fall
-  std::string fall_reason, error_reason;   // distinct ones in the order of the seeds, joined by "; "
+  std::optional<TimingSummary> timing;
+  bool oracle = false;      // a bound: never ranked
+  std::optional<int> rank;  // 1 is best, within the block; nullopt for an oracle and where nothing was run
+  // Filled by compare_with_reference() only: this row minus the reference, pair by pair.
+  std::string reference;  // the row it is compared with, OBSERVER@PROFILE; "" if there is none or it is this row
+  std::array<PairedDifference, kPairedMetrics.size()> paired;
+  bool until_fall = false;                // metrics are those of fallen runs, up to the fall
+  std::string fall_reason, error_reason;  // distinct ones in the order of the seeds, joined by "; "
 };
 
 // In the order of the run's scenarios, then observers (or the other way round): the order of first mention in
 // run.info.cells. A row whose cells have not been run yet is there, with runs = 0.
 std::vector<TableRow> build_rows(const Run& run, TableOrder order);
+
+// Whether rows compete: they agree in everything but observer and profile.
+bool same_block(const CellKey& a, const CellKey& b) noexcept;
+
+// Ranks each row within its block. Better is, in this order: a smaller share of runs lost (falls and errors), so that a
+// fall ranks behind every survivor; a smaller median of com_error_max_m, or, where every run was lost, a later fall.
+// Equals share a rank.
+void rank_rows(std::vector<TableRow>& rows);
+
+MetricSummary summarise(const std::vector<double>& samples);
+CellKey without_seed(CellKey key);
 
 }  // namespace dob

@@ -40,7 +40,9 @@ struct TickRecord {
   Vec12 leg_torque_true;            // [N m] sum over disturbances of J_p,j^T f_p in CoM coordinates
   bool has_force_estimate = false;  // exactly one disturbance acts on a leg: F_hat mapped back to its point
   Vec3 force_estimate, force_true;  // [N]
-  bool qp_solved = false;           // a QP was solved at this tick
+  bool has_com_estimate = false;
+  Vec6 com_wrench_estimate, com_wrench_true;  // [N; N m] about the CoM
+  bool qp_solved = false;                     // a QP was solved at this tick
   QpStatus qp_status = QpStatus::kOptimal;
   int qp_iterations = 0;
 };

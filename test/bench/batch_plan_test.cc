@@ -107,5 +107,34 @@ TEST(BatchPlan, APoseThatTheLegsCannotReachIsRefusedBeforeAnythingRuns) {
   }
 }
 
+TEST(BatchPlan, AListOfSpecificationsIsSplitBetweenObserversNotBetweenTheirOptions) {
+  using List = std::vector<std::string>;
+  EXPECT_EQ(split_specifications("momentum,com_wrench"), (List{"momentum", "com_wrench"}));
+  EXPECT_EQ(split_specifications("momentum:gain_scale=5,routing.swing_31=off,direct"),
+            (List{"momentum:gain_scale=5,routing.swing_31=off", "direct"}));
+  EXPECT_EQ(split_specifications("none,legs=momentum,com=com_wrench,legs.gain_scale=5,eso:a=1"),
+            (List{"none", "legs=momentum,com=com_wrench,legs.gain_scale=5", "eso:a=1"}));
+  EXPECT_EQ(split_specifications("momentum,"), (List{"momentum", ""}));
+}
+
+TEST(BatchPlan, ShadowsWatchEveryCellInTheFirstProfileAskedForButNeverThemselves) {
+  BatchRequest request{.scenarios = {"undisturbed"}, .observers = {"none", "momentum"}};
+  request.shadows = {"momentum", "com_wrench", "momentum"};
+  request.profiles = {"paper", "matched"};
+  const BatchPlan plan = plan_batch(request);
+  ASSERT_EQ(plan.cells.size(), 3U);
+  const auto labels = [](const PlannedCell& cell) {
+    std::vector<std::string> names;
+    for (const ObserverConfig& shadow : cell.shadows) names.push_back(shadow.label + "/" + shadow.profile);
+    return names;
+  };
+  using List = std::vector<std::string>;
+  EXPECT_EQ(labels(plan.cells[0]), (List{"momentum/paper", "com_wrench/paper"}));
+  EXPECT_EQ(labels(plan.cells[1]), (List{"com_wrench/paper"}));                    // momentum (paper)
+  EXPECT_EQ(labels(plan.cells[2]), (List{"momentum/paper", "com_wrench/paper"}));  // momentum (matched)
+  request.shadows = {"nonsense"};
+  EXPECT_THROW(plan_batch(request), InputError);
+}
+
 }  // namespace
 }  // namespace dob

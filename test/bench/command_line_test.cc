@@ -252,6 +252,50 @@ TEST_F(CommandLine, ListsTheScenariosWithTheirSet) {
   EXPECT_NE(text.find("extra"), std::string::npos);
 }
 
+TEST_F(CommandLine, ShadowsAreATableOfTheirOwnAndLeaveTheComparisonAsItIs) {
+  const std::string what =
+      "run case1/knee_lateral --observer momentum --observer none --profile matched "
+      "--set duration_s=1 --seeds 2 ";
+  ASSERT_EQ(dobbench(what + "--out plain").exit_code, 0);
+  const Answer run = dobbench(what + "--shadow com_wrench,momentum:gain_scale=2 --shadow oracle_full --out watched");
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("in the loop momentum (matched)"), std::string::npos);
+  EXPECT_EQ(dobbench("table plain --format json").out, dobbench("table watched --format json").out);
+  const auto rows = nlohmann::json::parse(dobbench("table watched --shadow --format json").out);
+  ASSERT_EQ(rows.size(), 8U);  // two in the loop, each with three shadows
+  EXPECT_EQ(rows[2]["shadow_observer"], "momentum:gain_scale=2");
+  EXPECT_EQ(rows[2]["runs"], 2);
+  EXPECT_GT(rows[2]["joint_estimate_rmse_Nm"], 0.0);
+  EXPECT_EQ(rows[3]["com_force_rmse_N"], 0.0);
+  expect_refused("table plain --shadow", {"--shadow"});
+  expect_refused(what + "--shadow nonsense --out x", {"nonsense", "momentum"});
+  expect_refused(what + "--shadow momentum, --out x", {"momentum"});
+}
+
+TEST_F(CommandLine, ComparesTwoRunsAndSaysNoWhenTheSecondIsWorse) {
+  const std::string what = "run case1/tip_lateral --profile matched --set duration_s=2 --seeds 2 --observer ";
+  ASSERT_EQ(dobbench(what + "none --out none").exit_code, 0);
+  const Answer same = dobbench("compare none none");
+  EXPECT_EQ(same.exit_code, 0) << same.err;
+  EXPECT_NE(same.out.find("0 of 1 rows are worse in B."), std::string::npos) << same.out;
+  // A scenario file of one name with two contents makes one key with two meanings, as a changed program would.
+  for (const char* speed : {"0.02", "0.3"}) {
+    std::ofstream(dir / "mine.toml") << "summary = \"mine\"\n[[path]]\nduration_s = 2.0\nspeed_m_s = " << speed << "\n";
+    ASSERT_EQ(dobbench("run mine.toml --observer none --seeds 2 --out " + std::string(speed)).exit_code, 0);
+  }
+  const Answer worse = dobbench("compare 0.02 0.3");
+  EXPECT_EQ(worse.exit_code, 1) << worse.out << worse.err;
+  EXPECT_NE(worse.out.find("1 of 1 rows are worse in B."), std::string::npos) << worse.out;
+  EXPECT_EQ(dobbench("compare 0.3 0.02").exit_code, 0);
+  ASSERT_EQ(dobbench(what + "momentum --out momentum").exit_code, 0);
+  expect_refused("compare none momentum", {"share no cell"});
+  expect_refused("compare none nowhere", {"nowhere"});
+  expect_refused("compare none none --metric nonsense", {"--metric nonsense", "slip_max_m"});
+  expect_refused("table none --reference momentum", {"momentum", "none@-"});
+  const auto rows = nlohmann::json::parse(dobbench("table none --reference none --format json").out);
+  EXPECT_EQ(rows[0]["rank"], 1);
+}
+
 TEST_F(CommandLine, ListsWhatThereIs) {
   const Answer text = dobbench("list");
   EXPECT_EQ(text.exit_code, 0);

@@ -52,6 +52,29 @@ TEST_P(ControlTick, AllocatesNothingAfterReset) {
   EXPECT_GE(solved, 0.4 * static_cast<double>(ticks));  // 400 Hz of 1 kHz, and more at changes of the stance set
 }
 
+// Shadows are part of the trial's tick; the simulator, which is too, is not counted.
+TEST(ShadowTick, AllocatesNothing) {
+  const Scenario scenario = load_scenarios({.name = "case1/tip_lateral"}).front();
+  const ObserverConfig config = load_observer("momentum_com", "matched");
+  Trial trial(scenario, config, 1);  // supplies states, torques and forces
+  Recorder recorder(load_robot(scenario.robot.urdf, scenario.robot.forward), scenario);
+  Shadows shadows({config, load_observer("com_wrench", "matched"), load_observer("oracle_full", "matched")},
+                  scenario.sim.dt);
+  auto start = std::make_unique<ModelTerms>(trial.model_terms());
+  shadows.reset(*start);
+  for (int k = 0; k < 500; ++k) {
+    *start = trial.model_terms();
+    ASSERT_TRUE(trial.tick());
+    const TickRecord& r = trial.record();
+    const ObserverInput input{*start, trial.model_terms(), r.joint_torque, r.foot_force, r.stance, scenario.sim.dt};
+    const test::AllocationCounter counter;
+    shadows.judge(recorder);
+    shadows.update(input, recorder);
+    shadows.count();
+    ASSERT_EQ(counter.count(), 0) << "tick " << k;
+  }
+}
+
 // Once a whole trial of case 1, then the other planners and the crawl.
 INSTANTIATE_TEST_SUITE_P(Walks, ControlTick,
                          ::testing::Values(Walk{"WholeTrial", "case1/tip_lateral", "zmp", 45.8},

@@ -147,6 +147,56 @@ TEST(Trial, OraclesReportTheTruthAndTheControllerGetsIt) {
   EXPECT_LT(*full.metrics.com_error_max_m, 0.5 * *legs.metrics.com_error_max_m);
 }
 
+// What shadows see is what the observer in the loop sees, and nothing of the trial depends on them.
+TEST(Trial, ShadowsChangeNothingAndAreJudgedOnTheSameDataAsTheObserverInTheLoop) {
+  const Scenario scenario = load("case1/tip_lateral", 3.0);
+  const ObserverConfig momentum = load_observer("momentum_com", "matched");
+  const std::vector<ObserverConfig> shadows{momentum, load_observer("none", "matched"),
+                                            load_observer("com_wrench", "matched"),
+                                            load_observer("oracle_full", "matched")};
+  const CellResult alone = Trial(scenario, momentum, 2).run();
+  const CellResult watched = Trial(scenario, momentum, 2, shadows).run();
+  EXPECT_EQ(watched.state_hash, alone.state_hash);
+  EXPECT_TRUE(alone.shadows.empty());
+  ASSERT_EQ(watched.shadows.size(), 4U);
+  const ShadowResult& twin = watched.shadows[0];
+  EXPECT_EQ(twin.observer, "momentum_com");
+  EXPECT_EQ(twin.profile, "matched");
+  EXPECT_EQ(twin.estimate_rmse_N, alone.metrics.estimate_rmse_N);
+  EXPECT_EQ(twin.joint_estimate_rmse_Nm, alone.metrics.joint_estimate_rmse_Nm);
+  EXPECT_EQ(twin.com_force_rmse_N, alone.metrics.com_force_rmse_N);
+  EXPECT_EQ(twin.com_moment_rmse_Nm, alone.metrics.com_moment_rmse_Nm);
+  EXPECT_GT(alone.metrics.com_force_rmse_N.value(), 0.0);
+  EXPECT_LT(alone.metrics.com_force_rmse_N.value(), 5.0);  // of up to 2.8 N; contacts bring peaks
+  EXPECT_FALSE(watched.shadows[1].com_force_rmse_N);
+  EXPECT_FALSE(watched.shadows[1].joint_estimate_rmse_Nm);
+  EXPECT_FALSE(watched.shadows[2].joint_estimate_rmse_Nm);  // a CoM observer
+  EXPECT_GT(watched.shadows[2].com_moment_rmse_Nm.value(), 0.0);
+  EXPECT_EQ(watched.shadows[3].joint_estimate_rmse_Nm, 0.0);
+  EXPECT_EQ(watched.shadows[3].com_force_rmse_N, 0.0);
+}
+
+// The estimate is zero, so its error is the wrench of the force: 20 sin(t) N at the foot tip, any lever below 1 m.
+TEST(Trial, TheCoMWrenchIsJudgedAgainstTheForcesThatActWhateverLinkTheyActOn) {
+  const Scenario scenario = load("case1/tip_lateral", 3.0);
+  const ObserverConfig still = load_observer("com_wrench:linear_gain_rad_s=1e-9,angular_gain_rad_s=1e-9", "matched");
+  const CellResult result = Trial(scenario, load_observer("momentum_com", "matched"), 1, {still}).run();
+  double square = 0.0;
+  for (int k = 0; k < 2999; ++k) square += std::pow(20.0 * std::sin(0.001 * k), 2);
+  EXPECT_NEAR(result.shadows.at(0).com_force_rmse_N.value(), std::sqrt(square / 2999.0), 1e-3);
+  EXPECT_GT(result.shadows[0].com_moment_rmse_Nm.value(), 1.0);
+  EXPECT_LT(result.shadows[0].com_moment_rmse_Nm.value(), 20.0);
+}
+
+TEST(Trial, CheckpointsReachToTheEndOfTheTrial) {
+  const CellResult result = Trial(load("case1/knee_lateral", 1.2), load_observer("none", "paper"), 1).run();
+  ASSERT_EQ(result.checkpoints.size(), 3U);
+  EXPECT_DOUBLE_EQ(result.checkpoints[0].t, 0.5);
+  EXPECT_DOUBLE_EQ(result.checkpoints[1].t, 1.0);
+  EXPECT_DOUBLE_EQ(result.checkpoints[2].t, 1.2);
+  EXPECT_EQ(result.checkpoints[2].com_error_max_m, result.metrics.com_error_max_m);
+}
+
 // Times at which the set of acting disturbances changes, and the true joint torques shortly after.
 struct Draws {
   std::vector<double> onset;

@@ -1,5 +1,6 @@
 #include "results/metrics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -293,6 +294,76 @@ TEST(MetricsTest, RefusesATickOrDurationThatIsNone) {
   EXPECT_THROW(MetricsAccumulator({}, kNaN, 1.0), std::invalid_argument);
   EXPECT_THROW(MetricsAccumulator({}, kDt, -1.0), std::invalid_argument);
   EXPECT_THROW(MetricsAccumulator({}, kDt, std::numeric_limits<double>::infinity()), std::invalid_argument);
+}
+
+// Ticks of everything a checkpoint holds, with an onset swing that the checkpoint at 0.5 s falls into.
+std::vector<TickRecord> eventful_ticks(int count) {
+  std::vector<TickRecord> ticks;
+  for (int k = 0; k < count; ++k) {
+    TickRecord r = quiet();
+    const bool in_swing = k % 250 >= 240 || k % 250 < 60;
+    r.stance[1] = !in_swing;
+    r.lift_off[1] = k % 250 == 240;
+    r.foot[1].y() += 1e-5 * ((k * 37) % 251);
+    r.com.x() += 1e-6 * ((k * 91) % 1009);
+    r.path_position.y() += 1e-6 * k;
+    r.foot_force[5] = 0.1 * (k % 7);
+    r.disturbance_onset = k == 505;  // 15 ms after the lift-off at 490 ms, after the checkpoint
+    ticks.push_back(r);
+  }
+  return ticks;
+}
+
+TEST(MetricsTest, ACheckpointIsWhatTheMetricsWouldBeHadTheTrialEndedThere) {
+  const auto ticks = eventful_ticks(1700);
+  MetricsAccumulator metrics({}, kDt, 1.0);  // longer than announced
+  for (const TickRecord& tick : ticks) metrics.add(tick);
+  const std::vector<MetricsCheckpoint> checkpoints = metrics.checkpoints();
+  ASSERT_EQ(checkpoints.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t count = std::min<std::size_t>(500 * (i + 1), 1700);
+    EXPECT_DOUBLE_EQ(checkpoints[i].t, 1e-3 * static_cast<double>(count));
+    const CellMetrics prefix = metrics_of({ticks.begin(), ticks.begin() + static_cast<std::ptrdiff_t>(count)});
+    EXPECT_EQ(checkpoints[i].com_error_max_m, prefix.com_error_max_m);
+    EXPECT_EQ(checkpoints[i].com_error_rms_m, prefix.com_error_rms_m);
+    EXPECT_EQ(checkpoints[i].path_error_max_m, prefix.path_error_max_m);
+    EXPECT_EQ(checkpoints[i].foot_error_max_m, prefix.foot_error_max_m);
+    EXPECT_EQ(checkpoints[i].grf_error_mean_N, prefix.grf_error_mean_N);
+    EXPECT_TRUE(checkpoints[i].foot_error_max_m && checkpoints[i].grf_error_mean_N);
+  }
+}
+
+TEST(MetricsTest, ACheckpointInsideASwingHoldsItsErrorSoFarUntilAnOnsetSetsTheSwingApart) {
+  std::vector<TickRecord> ticks(490, quiet());
+  ticks = joined(ticks, swing(0, std::vector<double>(100, 0.030)));
+  auto with_onset = ticks;
+  with_onset[505].disturbance_onset = true;
+  MetricsAccumulator metrics({}, kDt, 1.0);
+  for (const TickRecord& tick : with_onset) metrics.add(tick);
+  const auto checkpoints = metrics.checkpoints();
+  ASSERT_EQ(checkpoints.size(), 2U);
+  EXPECT_THAT(checkpoints[0].foot_error_max_m, about(0.030));
+  EXPECT_EQ(checkpoints[1].foot_error_max_m, std::nullopt);
+}
+
+TEST(MetricsTest, TheEndOfATrialIsACheckpointOnce) {
+  EXPECT_EQ(MetricsAccumulator({}, kDt, 1.0).checkpoints().size(), 0U);
+  MetricsAccumulator metrics({}, 0.1, 1.0);
+  for (int k = 0; k < 10; ++k) metrics.add(quiet());
+  ASSERT_EQ(metrics.checkpoints().size(), 2U);
+  EXPECT_DOUBLE_EQ(metrics.checkpoints().back().t, 1.0);
+}
+
+TEST(MetricsTest, ComWrenchErrorsAreApartInForceAndMomentOverTheTicksWithAnEstimate) {
+  std::vector<TickRecord> ticks(3, quiet());
+  for (int i : {0, 1}) ticks[static_cast<std::size_t>(i)].has_com_estimate = true;
+  ticks[0].com_wrench_true << 3.0, 0.0, 0.0, 0.0, 0.0, 2.0;
+  ticks[0].com_wrench_estimate << 0.0, 4.0, 0.0, 0.0, 0.0, 1.0;
+  ticks[2].com_wrench_estimate.setConstant(99.0);  // none: of no account
+  const CellMetrics m = metrics_of(ticks);
+  EXPECT_THAT(m.com_force_rmse_N, about(5.0 / std::sqrt(2.0)));
+  EXPECT_THAT(m.com_moment_rmse_Nm, about(1.0 / std::sqrt(2.0)));
+  EXPECT_EQ(metrics_of({quiet()}).com_force_rmse_N, std::nullopt);
 }
 
 }  // namespace

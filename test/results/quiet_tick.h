@@ -18,6 +18,7 @@ inline TickRecord quiet() {
     v->setZero();
   }
   r.force_estimate = r.force_true = Vec3::Zero();
+  r.com_wrench_estimate = r.com_wrench_true = Vec6::Zero();
   return r;
 }
 

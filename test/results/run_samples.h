@@ -43,6 +43,16 @@ inline CellResult failed(CellKey key, std::string reason) {
   return cell;
 }
 
+// A checkpoint of com_error_max_m, and of foot_error_max_m ten times that.
+inline MetricsCheckpoint checkpoint(double t, double com_error_max_m) {
+  return {.t = t,
+          .com_error_max_m = com_error_max_m,
+          .com_error_rms_m = {},
+          .path_error_max_m = {},
+          .foot_error_max_m = 10.0 * com_error_max_m,
+          .grf_error_mean_N = {}};
+}
+
 // The run that consists of these cells, planned in this order.
 inline Run run_of(std::vector<CellResult> cells) {
   Run run;

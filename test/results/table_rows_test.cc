@@ -117,11 +117,75 @@ TEST(TableRowsTest, QpFailuresAreAMetricToo) {
   EXPECT_THAT(row.metrics[metric_index("qp_failures")].worst, Optional(3.0));
 }
 
-TEST(TableRowsTest, RealTimeFactorIsSimulatedOverWallTime) {
+TEST(TableRowsTest, TimingIsOfTheSerialPassOnly) {
   CellResult cell = survived(seed(1), 0.5);
-  cell.wall_s = 2.0;
-  EXPECT_THAT(only_row(run_of({cell, survived(seed(2), 0.5)})).real_time_factor, Optional(23.0));
-  EXPECT_EQ(only_row(run_of({survived(seed(2), 0.5)})).real_time_factor, std::nullopt);
+  cell.wall_s = 2.0;  // next to whatever else ran: no measure
+  dob::Run run = run_of({cell, survived(seed(2), 0.5), survived(seed(3), 0.5)});
+  EXPECT_FALSE(only_row(run).timing);
+  run.timings = {{seed(1), 10.0, 20.0, 300.0, 5.0, 8.0, 30.0},
+                 {seed(2), 11.0, 24.0, 100.0, 6.0, 9.0, 20.0},
+                 {seed(3), 15.0, 22.0, 200.0, 7.0, 7.0, 25.0}};
+  const std::optional<TimingSummary> timing = only_row(run).timing;
+  ASSERT_TRUE(timing);
+  EXPECT_EQ(timing->tick_p50_us, 11.0);
+  EXPECT_EQ(timing->tick_p99_us, 22.0);
+  EXPECT_EQ(timing->tick_max_us, 300.0);  // the longest of all
+  EXPECT_EQ(timing->qp_p50_us, 6.0);
+  EXPECT_EQ(timing->qp_p99_us, 8.0);
+  EXPECT_EQ(timing->real_time_factor, 25.0);
+}
+
+std::vector<std::string> ranking(const dob::Run& run) {
+  std::vector<std::string> ranks;
+  for (const TableRow& row : build_rows(run, TableOrder::kByScenario)) {
+    ranks.push_back(row.key.observer + ":" + (row.rank ? std::to_string(*row.rank) : "-"));
+  }
+  return ranks;
+}
+
+CellKey of(const char* observer, int n = 1) {
+  return key("case1", "knee", observer, "paper", n);
+}
+
+TEST(TableRanksTest, FewerFallsComeFirstThenTheSmallerComError) {
+  EXPECT_THAT(ranking(run_of({survived(of("a"), 0.030), survived(of("b"), 0.010), fell(of("c"), 20.0, 0.001),
+                              survived(of("d"), 0.020)})),
+              ElementsAre("a:3", "b:1", "c:4", "d:2"));
+}
+
+TEST(TableRanksTest, ARowThatLostOneRunOfTwoIsBetweenTheOthersWhateverItsErrors) {
+  EXPECT_THAT(ranking(run_of({fell(of("a", 1), 9.0, 0.5), survived(of("a", 2), 0.001), fell(of("b", 1), 9.0, 0.5),
+                              fell(of("b", 2), 9.0, 0.5), survived(of("c", 1), 0.9), survived(of("c", 2), 0.9)})),
+              ElementsAre("a:2", "b:3", "c:1"));
+}
+
+TEST(TableRanksTest, WhereEveryRunFellTheLaterFallIsBetter) {
+  EXPECT_THAT(ranking(run_of({fell(of("a"), 5.0, 0.01), fell(of("b"), 25.0, 0.3)})), ElementsAre("a:2", "b:1"));
+}
+
+TEST(TableRanksTest, ARunThatCouldNotBeRunCountsAsLost) {
+  EXPECT_THAT(ranking(run_of({survived(of("a", 1), 0.001), failed(of("a", 2), "crashed"), survived(of("b", 1), 0.5),
+                              survived(of("b", 2), 0.5), failed(of("c", 1), "crashed")})),
+              ElementsAre("a:2", "b:1", "c:-"));
+}
+
+TEST(TableRanksTest, OraclesAreBoundsAndTakeNoRank) {
+  const dob::Run run = run_of({survived(of("oracle_full"), 0.001), survived(of("momentum"), 0.010),
+                               survived(of("oracle_legs"), 0.002), survived(of("none"), 0.020)});
+  EXPECT_THAT(ranking(run), ElementsAre("oracle_full:-", "momentum:1", "oracle_legs:-", "none:2"));
+  EXPECT_TRUE(build_rows(run, TableOrder::kByScenario)[0].oracle);
+  EXPECT_FALSE(build_rows(run, TableOrder::kByScenario)[1].oracle);
+}
+
+TEST(TableRanksTest, EqualsShareARankAndEveryBlockHasItsOwn) {
+  std::vector<CellResult> cells{survived(of("a"), 0.01), survived(of("b"), 0.01), survived(of("c"), 0.02)};
+  cells.push_back(survived(key("case1", "knee", "c", "matched", 1), 0.005));  // profiles compete
+  for (auto field : {&CellKey::scenario, &CellKey::variant, &CellKey::gains, &CellKey::planner, &CellKey::overrides}) {
+    cells.push_back(survived(of("d"), 0.001));
+    cells.back().key.*field = "other";
+  }
+  EXPECT_THAT(ranking(run_of(cells)),
+              ::testing::UnorderedElementsAre("a:2", "b:2", "c:4", "c:1", "d:1", "d:1", "d:1", "d:1", "d:1"));
 }
 
 TEST(TableRowsTest, EveryPartOfTheKeyButTheSeedMakesARow) {
