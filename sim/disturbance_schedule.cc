@@ -7,9 +7,9 @@ constexpr double kSlack = 1e-9;  // [s] on a start, [-] on a phase: both are sum
 
 }  // namespace
 
-DisturbanceSchedule::DisturbanceSchedule(std::vector<Disturbance> disturbances) {
+DisturbanceSchedule::DisturbanceSchedule(const std::vector<Disturbance>& disturbances) {
   items_.reserve(disturbances.size());
-  for (Disturbance& d : disturbances) items_.push_back({d, d.trigger.has_value(), false});
+  for (const Disturbance& d : disturbances) items_.push_back({d, d.trigger.has_value(), false});
   forces_.reserve(items_.size());
   last_phase_.fill(-1.0);
 }

@@ -11,7 +11,7 @@ namespace dob {
 
 class DisturbanceSchedule {
  public:
-  explicit DisturbanceSchedule(std::vector<Disturbance> disturbances = {});
+  explicit DisturbanceSchedule(const std::vector<Disturbance>& disturbances = {});
 
   // The tick at time t [s], later than the one before. `swing_phase`: the share of its planned swing duration that has
   // passed since each leg's lift-off; negative while it stands. A trigger fires at the first tick, not before its
