@@ -4,14 +4,33 @@
 #include <fmt/format.h>
 
 #include "bench/commands.h"
+#include "results/claims.h"
+#include "results/claims_table.h"
 #include "results/table.h"
 
 namespace dob {
+namespace {
+
+std::string claims_table(const std::string& dir, const std::vector<std::string>& recorded, TableFormat format) {
+  const ClaimSet set = load_claims(paper_claims_file());
+  std::vector<Run> others;
+  std::vector<std::string> origins;
+  for (const std::string& other : recorded) {
+    others.push_back(read_run(other));
+    origins.push_back(fmt::format("{} ({})", others.back().info.command_line, others.back().info.commit));
+  }
+  const Run run = read_run(dir);
+  return render_claims(set, evaluate_claims(set, run, others), format, origins);
+}
+
+}  // namespace
 
 Command add_table_command(CLI::App& app) {
   struct Arguments {
     std::string dir;
     TableOptions options;
+    bool claims = false;
+    std::vector<std::string> recorded;
   };
   const std::map<std::string, TableFormat> formats{{"text", TableFormat::kText},
                                                    {"md", TableFormat::kMarkdown},
@@ -28,7 +47,16 @@ Command add_table_command(CLI::App& app) {
   command->add_option("--by", arguments->options.order, "scenario or observer")
       ->transform(CLI::CheckedTransformer(orders));
   command->add_flag("--timing", arguments->options.timing, "with the figures that differ from run to run");
+  CLI::Option* claims = command->add_flag("--claims", arguments->claims, "the paper's claims beside what was measured");
+  command
+      ->add_option("--recorded", arguments->recorded,
+                   "with --claims: further run directories that may show why a claim does not hold")
+      ->needs(claims);
   return [arguments] {
+    if (arguments->claims) {
+      fmt::print("{}", claims_table(arguments->dir, arguments->recorded, arguments->options.format));
+      return kExitOk;
+    }
     fmt::print("{}", render_table(read_run(arguments->dir), arguments->options));
     return kExitOk;
   };

@@ -41,7 +41,7 @@ FootErrorSummary worst_of(const std::vector<FootErrors>& feet) {
 }  // namespace
 
 MetricsAccumulator::MetricsAccumulator(std::optional<Leg> metric_leg, double dt, double duration)
-    : metric_leg_(metric_leg) {
+    : metric_leg_(metric_leg), claim_metrics_(metric_leg, dt) {
   const std::size_t ticks = expected_ticks(dt, duration);
   com_error_.reserve(ticks);
   for (int leg = 0; leg < kLegs; ++leg) {
@@ -59,6 +59,7 @@ void MetricsAccumulator::add(const TickRecord& tick) noexcept {
   add_force_errors(tick);
   add_estimate_errors(tick);
   add_slip(tick);
+  claim_metrics_.add(tick);
   if (tick.zmp_planned && tick.zmp_status != QpStatus::kOptimal) ++planner_failures_;
   if (tick.qp_solved) {
     ++qp_solves_;
@@ -114,6 +115,7 @@ CellMetrics MetricsAccumulator::finish() const {
   m.qp_solves = qp_solves_;
   m.qp_failures = qp_failures_;
   m.planner_failures = planner_failures_;
+  claim_metrics_.write(m);
   return m;
 }
 

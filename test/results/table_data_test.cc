@@ -32,7 +32,18 @@ const std::set<std::string> kMetrics{"com_error_max_m",
                                      "torque_saturation_ratio",
                                      "qp_failures",
                                      "slip_max_m",
-                                     "planner_failures"};
+                                     "planner_failures",
+                                     "estimate_offset_Nm",
+                                     "estimate_overshoot",
+                                     "estimate_settling_s",
+                                     "com_error_swing_max_m",
+                                     "com_error_stance_max_m",
+                                     "com_peak_before_m",
+                                     "com_peak_push_m",
+                                     "com_peak_valley_m",
+                                     "com_peak_recovery_m",
+                                     "foot_peak_push_m",
+                                     "foot_peak_rest_m"};
 const std::set<std::string> kTiming{"tick_time_p50_us", "tick_time_p99_us", "tick_time_max_us",
                                     "qp_time_p50_us",   "qp_time_p99_us",   "real_time_factor"};
 
@@ -132,9 +143,22 @@ TEST(TableCsvTest, HeadingAndLineStandForEveryField) {
             "qp_failures,qp_failures_worst,qp_failures_ci95_low,qp_failures_ci95_high,"
             "slip_max_m,slip_max_m_worst,slip_max_m_ci95_low,slip_max_m_ci95_high,"
             "planner_failures,planner_failures_worst,planner_failures_ci95_low,planner_failures_ci95_high,"
+            "estimate_offset_Nm,estimate_offset_Nm_worst,estimate_offset_Nm_ci95_low,estimate_offset_Nm_ci95_high,"
+            "estimate_overshoot,estimate_overshoot_worst,estimate_overshoot_ci95_low,estimate_overshoot_ci95_high,"
+            "estimate_settling_s,estimate_settling_s_worst,estimate_settling_s_ci95_low,estimate_settling_s_ci95_high,"
+            "com_error_swing_max_m,com_error_swing_max_m_worst,com_error_swing_max_m_ci95_low,com_error_swing_max_m_"
+            "ci95_high,"
+            "com_error_stance_max_m,com_error_stance_max_m_worst,com_error_stance_max_m_ci95_low,com_error_stance_max_"
+            "m_ci95_high,"
+            "com_peak_before_m,com_peak_before_m_worst,com_peak_before_m_ci95_low,com_peak_before_m_ci95_high,"
+            "com_peak_push_m,com_peak_push_m_worst,com_peak_push_m_ci95_low,com_peak_push_m_ci95_high,"
+            "com_peak_valley_m,com_peak_valley_m_worst,com_peak_valley_m_ci95_low,com_peak_valley_m_ci95_high,"
+            "com_peak_recovery_m,com_peak_recovery_m_worst,com_peak_recovery_m_ci95_low,com_peak_recovery_m_ci95_high,"
+            "foot_peak_push_m,foot_peak_push_m_worst,foot_peak_push_m_ci95_low,foot_peak_push_m_ci95_high,"
+            "foot_peak_rest_m,foot_peak_rest_m_worst,foot_peak_rest_m_ci95_low,foot_peak_rest_m_ci95_high,"
             "fall_reason,error_reason");
   EXPECT_EQ(lines[1], "case1,knee,none,-,paper,spline,,1,1,1,,,0,20.5,0.25,0.25,,," + std::string(52, ',') +
-                          "0.0,0.0,,,,,,,0.0,0.0,,,trunk tilted,");
+                          "0.0,0.0,,,,,,,0.0,0.0,,," + std::string(44, ',') + "trunk tilted,");
 }
 
 TEST(TableCsvTest, IntervalsFillTheirTwoColumns) {
