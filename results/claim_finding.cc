@@ -12,18 +12,22 @@ namespace dob {
 namespace {
 
 struct Unit {
-  std::string_view suffix, shown;
+  std::string_view ending;  // of the metric's name
+  std::string_view key;     // in a claim's keys
+  std::string_view shown;
   double scale;  // from the metric's unit to the one shown
 };
 
-constexpr std::array kUnits{Unit{"m", " mm", 1e3}, Unit{"N", " N", 1.0}, Unit{"Nm", " N m", 1.0}, Unit{"s", " s", 1.0},
-                            Unit{"rad", " rad", 1.0}};
-constexpr Unit kNumber{"", "", 1.0};
+constexpr std::array kUnits{Unit{"m", "m", " mm", 1e3},      Unit{"N", "N", " N", 1.0},
+                            Unit{"Nm", "Nm", " N m", 1.0},   Unit{"s", "s", " s", 1.0},
+                            Unit{"rad", "rad", " rad", 1.0}, Unit{"overshoot", "", " %", 1e2},
+                            Unit{"ratio", "", " %", 1e2}};
+constexpr Unit kNumber{"", "", "", 1.0};
 
 const Unit& unit(std::size_t metric) {
   const std::string_view name = kMetricFields.at(metric).name;
   const std::string_view last = name.substr(name.rfind('_') + 1);
-  const auto found = std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return u.suffix == last; });
+  const auto found = std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& u) { return u.ending == last; });
   return found == kUnits.end() ? kNumber : *found;
 }
 
@@ -74,7 +78,7 @@ std::string describe_falls(const Finding& finding) {
 }
 
 std::string_view unit_of(std::size_t metric) {
-  return unit(metric).suffix;
+  return unit(metric).key;
 }
 
 std::string describe(std::size_t metric, double value) {

@@ -34,9 +34,8 @@ void ClaimMetrics::write(CellMetrics& metrics) const noexcept {
   metrics.estimate_settling_s = if_finite(step_.settling_s());
   const PulsePeaks peaks = pulse_.finish();
   metrics.com_peak_before_m = if_finite(peaks.com_before);
-  metrics.com_peak_push_m = if_finite(peaks.com_push);
-  metrics.com_peak_valley_m = if_finite(peaks.com_valley);
-  metrics.com_peak_recovery_m = if_finite(peaks.com_recovery);
+  metrics.com_peak_push_m = if_finite(peaks.com_first);
+  metrics.com_peak_recovery_m = if_finite(peaks.com_second);
   metrics.foot_peak_push_m = if_finite(peaks.foot_push);
   metrics.foot_peak_rest_m = if_finite(peaks.foot_rest);
   metrics.com_error_swing_max_m = if_finite(com_in_swing_);

@@ -14,13 +14,10 @@ namespace {
 constexpr std::size_t kPush = metric_index("com_peak_push_m");
 constexpr std::size_t kRecovery = metric_index("com_peak_recovery_m");
 
-bool has_two_peaks(const CellResult& cell, double valley_at_most) {
+bool has_two_peaks(const CellResult& cell) {
   const CellMetrics& m = cell.metrics;
-  if (cell.outcome != Outcome::kSurvived || !m.com_peak_valley_m || !m.com_peak_push_m || !m.com_peak_recovery_m) {
-    return false;
-  }
-  const double smaller = std::min(*m.com_peak_push_m, *m.com_peak_recovery_m);
-  return smaller > m.com_peak_before_m.value_or(0.0) && *m.com_peak_valley_m <= valley_at_most * smaller;
+  if (cell.outcome != Outcome::kSurvived || !m.com_peak_push_m || !m.com_peak_recovery_m) return false;
+  return std::min(*m.com_peak_push_m, *m.com_peak_recovery_m) > m.com_peak_before_m.value_or(0.0);
 }
 
 std::optional<double> largest(const std::vector<Sample>& samples) {
@@ -36,10 +33,7 @@ void add_falls(Finding& finding) {
 }  // namespace
 
 TwoPeaksClaim read_two_peaks(Reader& reader, const std::string& subject) {
-  TwoPeaksClaim claim;
-  claim.observer = read_observer(reader, subject);
-  claim.valley_at_most = reader.number("valley_share_at_most", between(0.0, 1.0));
-  return claim;
+  return {read_observer(reader, subject)};
 }
 
 LargerClaim read_larger(Reader& reader, const std::string& subject) {
@@ -63,15 +57,13 @@ Finding evaluate(const TwoPeaksClaim& claim, const ClaimView& view) {
   if (push.empty() && finding.falls == 0) return no_data("no run has a pulse");
   int with = 0;
   for (const CellGroup* group : groups) {
-    for (const CellResult* cell : group->ran) with += has_two_peaks(*cell, claim.valley_at_most) ? 1 : 0;
+    for (const CellResult* cell : group->ran) with += has_two_peaks(*cell) ? 1 : 0;
   }
   finding.median = median_of(push);
   finding.worst = largest(push);
   finding.measured = fmt::format("two peaks in {}/{}", with, finding.runs);
-  if (!push.empty() && !recovery.empty()) {
-    finding.measured += fmt::format(": push {}, recovery {}", describe(kPush, *finding.median),
-                                    describe(kRecovery, *median_of(recovery)));
-  }
+  if (!push.empty()) finding.measured += fmt::format(": {}", describe(kPush, *finding.median));
+  if (!recovery.empty()) finding.measured += fmt::format(", {}", describe(kRecovery, *median_of(recovery)));
   add_falls(finding);
   finding.verdict = with == finding.runs ? Verdict::kYes : Verdict::kNo;
   finding.settled = with < finding.runs;

@@ -10,10 +10,9 @@ namespace dob {
 
 class Reader;
 
-// The CoM's error has a peak while the pulse acts and a second one in recovery (results/pulse_response.h).
+// The CoM's error has two peaks after a pulse that are apart (results/pulse_response.h).
 struct TwoPeaksClaim {
   std::string observer;
-  double valley_at_most = 0.5;  // between the peaks, as a share of the smaller one
 };
 
 struct LargerClaim {
@@ -27,15 +26,14 @@ struct GrowsClaim {
   std::size_t metric = 0;
 };
 
-// Keys: observer, valley_share_at_most.
+// Keys: observer.
 TwoPeaksClaim read_two_peaks(Reader& reader, const std::string& subject);
 // Keys: observer, metric, than.
 LargerClaim read_larger(Reader& reader, const std::string& subject);
 // Keys: observer, metric.
 GrowsClaim read_grows(Reader& reader, const std::string& subject);
 
-// Holds if in every run both peaks are above everything in the second before the pulse and the valley is as deep as it
-// has to be. A run that falls has no recovery.
+// Holds if every run survives and has both peaks, each above everything in the second before the pulse.
 Finding evaluate(const TwoPeaksClaim& claim, const ClaimView& view);
 
 // Holds if the largest `metric` over seeds and cases is above the largest `than`. Falls are of no account: it is the

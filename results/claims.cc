@@ -1,7 +1,6 @@
 #include "results/claims.h"
 
 #include <algorithm>
-#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -125,40 +124,48 @@ std::string note_of(const ClaimRow& row) {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
+// Where to look: the run in question, then recorded ones.
+using Sources = std::vector<Source>;
+
+ClaimRow row_of(const ClaimSet& set, const Claim& claim, const std::vector<std::string>& patterns,
+                const Setting& setting, const Sources& sources) {
+  ClaimRow row{.claim = &claim, .cells = shown_cells(patterns), .setting = setting, .planned = true};
+  const CellGroups& cells = sources.front().cells;
+  ClaimView view(cells, cases_of(patterns, cells), setting);
+  row.finding = finding_of(claim, view);
+  if (asks_for(claim, set.subject)) {
+    view.substitute(set.subject, set.ours);
+    row.ours = finding_of(claim, view);
+  }
+  if (row.finding.verdict == Verdict::kNo) {
+    for (const Contrast& contrast : claim.contrasts) {
+      auto found = ask(claim, set.subject, contrast, row, patterns, sources);
+      if (found) row.contrasts.push_back(std::move(*found));
+    }
+  }
+  row.note = note_of(row);
+  return row;
+}
+
+ClaimRow absent_row(const Claim& claim, const std::vector<std::string>& patterns) {
+  ClaimRow row{.claim = &claim, .cells = shown_cells(patterns), .finding = no_data("not part of this run")};
+  row.note = row.finding.remark;
+  return row;
+}
+
 }  // namespace
 
 std::vector<ClaimRow> evaluate_claims(const ClaimSet& set, const Run& run, const std::vector<Run>& recorded) {
-  std::vector<Source> sources{{CellGroups(run), false}};
+  Sources sources{{CellGroups(run), false}};
   for (const Run& other : recorded) sources.push_back({CellGroups(other), true});
   const CellGroups& cells = sources.front().cells;
 
   std::vector<ClaimRow> rows;
   for (const Claim& claim : set.claims) {
     for (const std::vector<std::string>& patterns : rows_of(claim)) {
-      const std::vector<std::string> cases = cases_of(patterns, cells);
-      const std::vector<Setting> settings = settings_of(claim, cases, cells);
-      if (settings.empty()) {
-        rows.push_back({.claim = &claim, .cells = shown_cells(patterns), .finding = no_data("not part of this run")});
-        rows.back().note = rows.back().finding.remark;
-      }
-      for (const Setting& setting : settings) {
-        ClaimRow row{.claim = &claim, .cells = shown_cells(patterns), .setting = setting, .planned = true};
-        ClaimView view(cells, cases, setting);
-        row.finding = finding_of(claim, view);
-        if (asks_for(claim, set.subject)) {
-          view.substitute(set.subject, set.ours);
-          row.ours = finding_of(claim, view);
-        }
-        if (row.finding.verdict == Verdict::kNo) {
-          for (const Contrast& contrast : claim.contrasts) {
-            if (auto found = ask(claim, set.subject, contrast, row, patterns, sources)) {
-              row.contrasts.push_back(std::move(*found));
-            }
-          }
-        }
-        row.note = note_of(row);
-        rows.push_back(std::move(row));
-      }
+      const std::vector<Setting> settings = settings_of(claim, cases_of(patterns, cells), cells);
+      if (settings.empty()) rows.push_back(absent_row(claim, patterns));
+      for (const Setting& setting : settings) rows.push_back(row_of(set, claim, patterns, setting, sources));
     }
   }
   return rows;

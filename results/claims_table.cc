@@ -44,6 +44,8 @@ std::string ours_cell(const std::optional<Finding>& ours, Layout layout) {
   return ours->measured.empty() || layout == Layout::kNarrow ? verdict : fmt::format("{}: {}", verdict, ours->measured);
 }
 
+constexpr std::size_t kLongestFigure = 48;  // of a narrow table; what is longer stands below
+
 TableBlock make_block(const ClaimSet& set, const std::string& title, const std::vector<const ClaimRow*>& rows,
                       Layout layout) {
   TableBlock block;
@@ -55,12 +57,17 @@ TableBlock make_block(const ClaimSet& set, const std::string& title, const std::
   if (layout == Layout::kWide) block.columns.push_back({"note", "", false});
   for (const ClaimRow* row : rows) {
     const Claim& claim = *row->claim;
-    block.rows.push_back({claim.study, row->cells, claim.text, claim.paper, or_dash(row->finding.measured),
+    std::string measured = or_dash(row->finding.measured), note = row->note;
+    if (layout == Layout::kNarrow && measured.size() > kLongestFigure) {
+      note = fmt::format("{}{}{}", measured, note.empty() ? "" : "; ", note);
+      measured = "below";
+    }
+    block.rows.push_back({claim.study, row->cells, claim.text, claim.paper, measured,
                           std::string(to_string(row->finding.verdict)), ours_cell(row->ours, layout)});
     if (layout == Layout::kWide) {
-      block.rows.back().push_back(row->note);
-    } else if (!row->note.empty()) {
-      block.notes.push_back(fmt::format("{}: {}: {}", row->cells, claim.text, row->note));
+      block.rows.back().push_back(note);
+    } else if (!note.empty()) {
+      block.notes.push_back(fmt::format("{}, {}: {}: {}", claim.study, row->cells, claim.text, note));
     }
   }
   return block;

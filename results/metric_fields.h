@@ -44,7 +44,6 @@ inline constexpr std::array kMetricFields{
     MetricField{"com_error_stance_max_m", &CellMetrics::com_error_stance_max_m},
     MetricField{"com_peak_before_m", &CellMetrics::com_peak_before_m},
     MetricField{"com_peak_push_m", &CellMetrics::com_peak_push_m},
-    MetricField{"com_peak_valley_m", &CellMetrics::com_peak_valley_m},
     MetricField{"com_peak_recovery_m", &CellMetrics::com_peak_recovery_m},
     MetricField{"foot_peak_push_m", &CellMetrics::foot_peak_push_m},
     MetricField{"foot_peak_rest_m", &CellMetrics::foot_peak_rest_m},

@@ -40,30 +40,45 @@ struct Walk {
   }
 };
 
-TEST(PulseResponseTest, PeaksOfPushAndRecoveryAndTheValleyBetween) {
-  Walk walk;
-  walk.steps(200, 0.002);
-  walk.steps(10, 0.004);
-  walk.step(0.009);  // the push's peak
-  walk.steps(9, 0.005);
-  walk.steps(10, 0.003);
-  walk.step(0.007);  // the recovery's
-  walk.steps(200, 0.001);
-  const PulsePeaks peaks = walk.pulse.finish();
-  EXPECT_THAT(peaks.com_before, about(0.002));
-  EXPECT_THAT(peaks.com_push, about(0.009));
-  EXPECT_THAT(peaks.com_valley, about(0.003));
-  EXPECT_THAT(peaks.com_recovery, about(0.007));
+TEST(PulseResponseTest, TwoPeaksAreApartWhenTheErrorFallsToHalfOfTheLowerOne) {
+  for (const double valley : {0.0035, 0.0036}) {
+    Walk walk;
+    walk.steps(200, 0.002);
+    walk.steps(10, 0.004);
+    walk.step(0.009);
+    walk.steps(29, valley);
+    walk.step(0.007);
+    walk.steps(200, 0.0034);
+    const PulsePeaks peaks = walk.pulse.finish();
+    EXPECT_THAT(peaks.com_before, about(0.002));
+    EXPECT_THAT(peaks.com_first, about(0.009));
+    if (valley <= 0.5 * 0.007) {
+      EXPECT_THAT(peaks.com_second, about(0.007));
+    } else {
+      EXPECT_EQ(peaks.com_second, std::nullopt);
+    }
+  }
 }
 
-TEST(PulseResponseTest, ErrorThatOnlyDecaysHasNoValleyBelowItsRecovery) {
+TEST(PulseResponseTest, PeaksComeInTheOrderOfTimeWhicheverIsHigher) {
   Walk walk;
   walk.steps(200, 0.0);
-  for (int i = 0; i < 100; ++i) walk.step(0.01 * std::exp(-0.05 * i));
-  const PulsePeaks peaks = walk.pulse.finish();
-  EXPECT_THAT(peaks.com_push, about(0.01));
-  EXPECT_THAT(peaks.com_recovery, about(0.01 * std::exp(-1.0)));
-  EXPECT_THAT(peaks.com_valley, about(0.01 * std::exp(-1.0)));
+  walk.step(0.005);
+  walk.steps(30, 0.001);
+  walk.step(0.009);
+  walk.steps(30, 0.001);
+  walk.step(0.003);  // a third, lower one
+  walk.steps(100, 0.0);
+  EXPECT_THAT(walk.pulse.finish().com_first, about(0.005));
+  EXPECT_THAT(walk.pulse.finish().com_second, about(0.009));
+}
+
+TEST(PulseResponseTest, AHumpAndADecayAreOnePeak) {
+  Walk walk;
+  walk.steps(200, 0.0);
+  for (int i = 0; i < 100; ++i) walk.step(0.01 * std::sin(M_PI * i / 100.0));
+  EXPECT_THAT(walk.pulse.finish().com_first, about(0.01));
+  EXPECT_EQ(walk.pulse.finish().com_second, std::nullopt);
 }
 
 TEST(PulseResponseTest, WhatWasLongBeforeThePulseAndLongAfterItIsForgotten) {
@@ -71,11 +86,12 @@ TEST(PulseResponseTest, WhatWasLongBeforeThePulseAndLongAfterItIsForgotten) {
   walk.step(0.1);  // the start of the walk
   walk.steps(199, 0.002);
   walk.steps(20, 0.008);
-  walk.steps(100, 0.006);
-  walk.steps(100, 0.05);  // more than 1 s after the pulse
+  walk.steps(130, 0.006);
+  walk.steps(100, 0.05);  // more than 1.5 s after the onset
   const PulsePeaks peaks = walk.pulse.finish();
   EXPECT_THAT(peaks.com_before, about(0.002));
-  EXPECT_THAT(peaks.com_recovery, about(0.006));
+  EXPECT_THAT(peaks.com_first, about(0.008));
+  EXPECT_EQ(peaks.com_second, std::nullopt);
 }
 
 TEST(PulseResponseTest, FootErrorsInSwingAreThoseOfThePushAndTheRest) {
@@ -95,7 +111,7 @@ TEST(PulseResponseTest, ForcesThatStayChangeOrReturnAreNoPulses) {
   Walk stays;
   stays.end = 1000;
   stays.steps(400, 0.01);
-  EXPECT_EQ(stays.pulse.finish().com_push, std::nullopt);
+  EXPECT_EQ(stays.pulse.finish().com_first, std::nullopt);
 
   PulseResponse redrawn({}, kDt), returns({}, kDt);
   for (const bool onset : {true, false, true, false}) {
@@ -111,8 +127,8 @@ TEST(PulseResponseTest, ForcesThatStayChangeOrReturnAreNoPulses) {
     returns.add(r);
   }
   redrawn.add(quiet());
-  EXPECT_EQ(redrawn.finish().com_push, std::nullopt);
-  EXPECT_EQ(returns.finish().com_push, std::nullopt);
+  EXPECT_EQ(redrawn.finish().com_first, std::nullopt);
+  EXPECT_EQ(returns.finish().com_first, std::nullopt);
 }
 
 }  // namespace

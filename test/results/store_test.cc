@@ -126,7 +126,7 @@ TEST_F(StoreTest, LineOfACellIsPlainJsonWithTheHashInHexAndNoWallTime) {
             R"("orientation_error_max_rad":null,"torque_saturation_ratio":null,"slip_max_m":null,)"
             R"("estimate_offset_Nm":null,"estimate_overshoot":null,"estimate_settling_s":null,)"
             R"("com_error_swing_max_m":null,"com_error_stance_max_m":null,"com_peak_before_m":null,)"
-            R"("com_peak_push_m":null,"com_peak_valley_m":null,"com_peak_recovery_m":null,)"
+            R"("com_peak_push_m":null,"com_peak_recovery_m":null,)"
             R"("foot_peak_push_m":null,"foot_peak_rest_m":null,)"
             R"("qp_solves":0,"qp_failures":0,"planner_failures":0})"
             "\n");
