@@ -4,14 +4,33 @@
 #include <fmt/format.h>
 
 #include "bench/commands.h"
+#include "results/claims.h"
+#include "results/claims_table.h"
 #include "results/table.h"
 
 namespace dob {
+namespace {
+
+std::string claims_table(const std::string& dir, const std::vector<std::string>& recorded, TableFormat format) {
+  const ClaimSet set = load_claims(paper_claims_file());
+  std::vector<Run> others;
+  std::vector<std::string> origins;
+  for (const std::string& other : recorded) {
+    others.push_back(read_run(other));
+    origins.push_back(fmt::format("{} ({})", others.back().info.command_line, others.back().info.commit));
+  }
+  const Run run = read_run(dir);
+  return render_claims(set, evaluate_claims(set, run, others), format, origins);
+}
+
+}  // namespace
 
 Command add_table_command(CLI::App& app) {
   struct Arguments {
     std::string dir;
     TableOptions options;
+    bool claims = false;
+    std::vector<std::string> recorded;
   };
   const std::map<std::string, TableFormat> formats{{"text", TableFormat::kText},
                                                    {"md", TableFormat::kMarkdown},
@@ -31,7 +50,16 @@ Command add_table_command(CLI::App& app) {
                       "OBSERVER[@PROFILE] that the others are compared with, run by run (default none)");
   command->add_flag("--shadow", arguments->options.shadow, "the estimates of the shadow observers instead");
   command->add_flag("--timing", arguments->options.timing, "with what a serial timing pass has measured");
+  CLI::Option* claims = command->add_flag("--claims", arguments->claims, "the paper's claims beside what was measured");
+  command
+      ->add_option("--recorded", arguments->recorded,
+                   "with --claims: further run directories that may show why a claim does not hold")
+      ->needs(claims);
   return [arguments] {
+    if (arguments->claims) {
+      fmt::print("{}", claims_table(arguments->dir, arguments->recorded, arguments->options.format));
+      return kExitOk;
+    }
     fmt::print("{}", render_table(read_run(arguments->dir), arguments->options));
     return kExitOk;
   };

@@ -39,6 +39,16 @@ inline constexpr std::array kMetricFields{
     MetricField{"qp_failures", nullptr, &CellMetrics::qp_failures},
     MetricField{"slip_max_m", &CellMetrics::slip_max_m},
     MetricField{"planner_failures", nullptr, &CellMetrics::planner_failures},
+    MetricField{"estimate_offset_Nm", &CellMetrics::estimate_offset_Nm},
+    MetricField{"estimate_overshoot", &CellMetrics::estimate_overshoot},
+    MetricField{"estimate_settling_s", &CellMetrics::estimate_settling_s},
+    MetricField{"com_error_swing_max_m", &CellMetrics::com_error_swing_max_m},
+    MetricField{"com_error_stance_max_m", &CellMetrics::com_error_stance_max_m},
+    MetricField{"com_peak_before_m", &CellMetrics::com_peak_before_m},
+    MetricField{"com_peak_push_m", &CellMetrics::com_peak_push_m},
+    MetricField{"com_peak_recovery_m", &CellMetrics::com_peak_recovery_m},
+    MetricField{"foot_peak_push_m", &CellMetrics::foot_peak_push_m},
+    MetricField{"foot_peak_rest_m", &CellMetrics::foot_peak_rest_m},
 };
 
 // Index of a name in kMetricFields; a name that is not there does not compile.

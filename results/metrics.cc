@@ -36,7 +36,7 @@ FootErrorSummary worst_of(const std::vector<FootErrors>& feet) {
 }  // namespace
 
 MetricsAccumulator::MetricsAccumulator(std::optional<Leg> metric_leg, double dt, double duration)
-    : metric_leg_(metric_leg), dt_(dt) {
+    : metric_leg_(metric_leg), dt_(dt), claim_metrics_(metric_leg, dt) {
   const std::size_t ticks = expected_ticks(dt, duration);
   ticks_per_checkpoint_ = std::max(1L, std::lround(kCheckpointInterval / dt));
   com_error_.reserve(ticks);
@@ -59,6 +59,7 @@ void MetricsAccumulator::add(const TickRecord& tick) noexcept {
   add_force_errors(tick);
   estimate_errors_.add(estimate_error(tick));
   add_slip(tick);
+  claim_metrics_.add(tick);
   if (tick.zmp_planned && tick.zmp_status != QpStatus::kOptimal) ++planner_failures_;
   if (tick.qp_solved) {
     ++qp_solves_;
@@ -131,6 +132,7 @@ CellMetrics MetricsAccumulator::finish() const {
   m.qp_solves = qp_solves_;
   m.qp_failures = qp_failures_;
   m.planner_failures = planner_failures_;
+  claim_metrics_.write(m);
   return m;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "results/cell.h"
+#include "results/claim_metrics.h"
 #include "results/estimate_errors.h"
 #include "results/foot_errors.h"
 #include "results/running_mean.h"
@@ -52,6 +53,7 @@ class MetricsAccumulator {
   long qp_solves_ = 0;
   long qp_failures_ = 0;
   long planner_failures_ = 0;
+  ClaimMetrics claim_metrics_;
 };
 
 }  // namespace dob

@@ -177,6 +177,20 @@ TEST_F(CommandLine, TheTableDoesNotDependOnTheNumberOfJobs) {
   EXPECT_EQ(hashes("one"), hashes("three"));
 }
 
+TEST_F(CommandLine, ARunIsAskedAboutEveryClaim) {
+  ASSERT_EQ(dobbench("run order_study/standing --observer momentum:gains=6.28 --observer "
+                     "'momentum:gains=6.28;6.28' --profile paper --set duration_s=0.1 --out run")
+                .exit_code,
+            0);
+  const Answer answer = dobbench("table run --claims --format json");
+  EXPECT_EQ(answer.exit_code, 0);
+  const auto rows = nlohmann::json::parse(answer.out);
+  EXPECT_GT(rows.size(), 50U);
+  for (const auto& row : rows) EXPECT_EQ(row["holds"], nullptr) << row;  // nothing that the paper speaks of was run
+  expect_refused("table run --recorded run", {"--claims"});
+  expect_refused("table run --claims --recorded nowhere", {"nowhere"});
+}
+
 TEST_F(CommandLine, ARunDirectoryHoldsWhatIsNeededToRunItAgain) {
   ASSERT_EQ(dobbench("run case1/knee_lateral --observer none --set duration_s=0.5 --log csv").exit_code, 0);
   const fs::path run = dir / "dobbench-results" / "0001";

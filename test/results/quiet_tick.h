@@ -8,7 +8,7 @@ namespace dob::test {
 inline TickRecord quiet() {
   TickRecord r;
   r.com = r.com_reference = Vec3(0.1, 0.2, 0.4);
-  r.path_position = Vec2(0.1, 0.2);
+  r.path_position = r.zmp_reference = r.center_of_pressure = Vec2(0.1, 0.2);
   r.foot.fill(Vec3(0.3, 0.2, 0.028));
   r.foot_reference = r.foothold = r.foot;
   r.stance.fill(true);

@@ -124,6 +124,10 @@ TEST_F(StoreTest, LineOfACellIsPlainJsonWithTheHashInHexAndNoWallTime) {
             R"("foot_error_onset_max_m":null,"foot_error_stance_max_m":null,"foothold_error_max_m":null,)"
             R"("grf_error_mean_N":null,"estimate_rmse_N":null,"joint_estimate_rmse_Nm":null,)"
             R"("orientation_error_max_rad":null,"torque_saturation_ratio":null,"slip_max_m":null,)"
+            R"("estimate_offset_Nm":null,"estimate_overshoot":null,"estimate_settling_s":null,)"
+            R"("com_error_swing_max_m":null,"com_error_stance_max_m":null,"com_peak_before_m":null,)"
+            R"("com_peak_push_m":null,"com_peak_recovery_m":null,)"
+            R"("foot_peak_push_m":null,"foot_peak_rest_m":null,)"
             R"("qp_solves":0,"qp_failures":0,"planner_failures":0})"
             "\n");
   EXPECT_THAT(read_text(dir / "timing.jsonl"), HasSubstr(R"("seed":3,"overrides":"","wall_s":2.5})"));

@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "results/claim_keys.h"
+#include "results/claims.h"
+
+namespace dob {
+namespace {
+
+using Test = decltype(Claim::test);
+
+struct Kind {
+  std::string_view word;
+  Test (*read)(Reader&, const std::string& subject);
+};
+
+template <auto read_test>
+constexpr auto as_test = [](Reader& reader, const std::string& subject) -> Test { return read_test(reader, subject); };
+
+const std::array<Choice<Kind>, 9> kKinds{{
+    {"bound", {"bound", as_test<read_bound>}},
+    {"fall", {"fall", as_test<read_fall>}},
+    {"survive", {"survive", as_test<read_survive>}},
+    {"ordering", {"ordering", as_test<read_ordering>}},
+    {"similar", {"similar", as_test<read_similar>}},
+    {"offset", {"offset", as_test<read_offset>}},
+    {"two_peaks", {"two_peaks", as_test<read_two_peaks>}},
+    {"larger", {"larger", as_test<read_larger>}},
+    {"grows", {"grows", as_test<read_grows>}},
+}};
+
+// Observers that a test asks for.
+struct ObserversOf {
+  std::vector<std::string> operator()(const auto& test) const { return {test.observer}; }
+  std::vector<std::string> operator()(const SimilarClaim& test) const { return test.observers; }
+  std::vector<std::string> operator()(const OrderingClaim& test) const {
+    std::vector<std::string> all;
+    for (const auto& stage : test.stages) all.insert(all.end(), stage.begin(), stage.end());
+    return all;
+  }
+};
+
+std::vector<Contrast> read_contrasts(Reader& reader) {
+  std::vector<Contrast> contrasts;
+  reader.each("contrast", [&](Reader& r) {
+    contrasts.push_back({text_or(r, "observer", ""), text_or(r, "profile", ""), text_or(r, "gains", ""),
+                         text_or(r, "planner", ""), text_or(r, "overrides", "")});
+  });
+  return contrasts;
+}
+
+Claim read_claim(Reader& reader, const ClaimSet& set, const std::vector<Contrast>& contrasts) {
+  Claim claim;
+  claim.id = reader.text("id");
+  claim.study = reader.text("case");
+  claim.text = reader.text("text");
+  claim.paper = reader.text("paper");
+  claim.source = reader.text("source");
+  const Kind kind = reader.choice("kind", kKinds);
+  claim.kind = kind.word;
+  claim.along = kind.word == "grows";
+  claim.cells = reader.texts(claim.along ? "along" : "cells");
+  claim.test = kind.read(reader, set.subject);
+  claim.observers = std::visit(ObserversOf{}, claim.test);
+  claim.contrasts = reader.has("contrast") ? read_contrasts(reader) : contrasts;
+  const auto same = [&](const Claim& other) { return other.id == claim.id; };
+  if (std::any_of(set.claims.begin(), set.claims.end(), same)) reader.refuse("id", "an id that no other claim has");
+  return claim;
+}
+
+std::string replaced(std::string text, const std::string& by) {
+  for (std::size_t at = text.find('$'); at != std::string::npos; at = text.find('$', at + by.size())) {
+    text.replace(at, 1, by);
+  }
+  return text;
+}
+
+void replace_all(Node& node, const std::string& by) {
+  if (auto* text = std::get_if<std::string>(&node.value)) *text = replaced(*text, by);
+  if (auto* array = std::get_if<Array>(&node.value)) {
+    for (Node& element : *array) replace_all(element, by);
+  }
+  if (auto* table = std::get_if<Table>(&node.value)) {
+    for (Entry& e : *table) replace_all(e.node, by);
+  }
+}
+
+// A claim with the key `each` stands for one claim per text in that list, $ replaced by it.
+Node expanded(const Node& document) {
+  Node out = document;
+  Node* list = out.find("claim");
+  auto* claims = list == nullptr ? nullptr : std::get_if<Array>(&list->value);
+  if (claims == nullptr) return out;
+  Array all;
+  for (const Node& claim : *claims) {
+    const Node* each = claim.find("each");
+    if (each == nullptr) {
+      all.push_back(claim);
+      continue;
+    }
+    std::vector<std::string> values;
+    Node only_each{Table{{"each", *each}}, claim.place};
+    Reader::read(only_each, "claim", [&](Reader& reader) { values = reader.texts("each"); });
+    for (const std::string& value : values) {
+      Node copy = claim;
+      erase(copy, "each");
+      replace_all(copy, value);
+      all.push_back(std::move(copy));
+    }
+  }
+  *claims = std::move(all);
+  return out;
+}
+
+}  // namespace
+
+std::filesystem::path paper_claims_file() {
+  return std::filesystem::path(DOB_RESULTS_DIR) / "paper_claims.toml";
+}
+
+ClaimSet load_claims(const std::filesystem::path& file) {
+  ClaimSet set;
+  const Node document = expanded(parse_file(file));
+  Reader::read(document, "", [&](Reader& reader) {
+    set.subject = reader.text("subject");
+    set.ours = reader.text("ours");
+    const std::vector<Contrast> contrasts = reader.has("contrast") ? read_contrasts(reader) : std::vector<Contrast>{};
+    reader.each("claim", [&](Reader& r) { set.claims.push_back(read_claim(r, set, contrasts)); });
+  });
+  return set;
+}
+
+}  // namespace dob
