@@ -8,6 +8,7 @@
 #include "bench/tick_log.h"
 #include "bench/trial.h"
 #include "bench/worker_pool.h"
+#include "scenarios/loader.h"
 
 namespace dob {
 namespace {
@@ -42,7 +43,10 @@ RunInfo run_info(const BatchPlan& plan, const std::string& command_line) {
                .machine = this_machine(),
                .date = utc_now(),
                .cells = {}};
-  for (const PlannedCell& cell : plan.cells) info.cells.push_back(cell.key);
+  for (const PlannedCell& cell : plan.cells) {
+    info.cells.push_back(cell.key);
+    info.sources.push_back({plan.resolved[cell.scenario].name, profile_toml({cell.observer})});
+  }
   return info;
 }
 
