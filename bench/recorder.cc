@@ -12,6 +12,7 @@ namespace {
 
 // The point where a force acts, with the Jacobian in CoM coordinates.
 struct ForcePoint {
+  Vec3 p;                            // [m]
   Mat36 J_com;                       // [-, m]
   Eigen::Matrix<double, 3, 12> J_j;  // [m]
 };
@@ -19,12 +20,14 @@ struct ForcePoint {
 ForcePoint force_point(const ModelTerms& m, const AppliedForce& force) noexcept {
   ForcePoint point;
   if (force.leg == AppliedForce::kTrunk) {
-    point.J_com = point_jacobian_com(m, m.state.p_WB + m.state.R_WB * force.p_L);
+    point.p = m.state.p_WB + m.state.R_WB * force.p_L;
+    point.J_com = point_jacobian_com(m, point.p);
     point.J_j = -point.J_com * m.A_c;
     return point;
   }
   const LegPoint on_leg = leg_point(m, Leg{force.leg}, force.link, force.p_L);
-  point.J_com = point_jacobian_com(m, on_leg.p);
+  point.p = on_leg.p;
+  point.J_com = point_jacobian_com(m, point.p);
   point.J_j = -point.J_com * m.A_c;
   point.J_j.middleCols<3>(3 * force.leg) += on_leg.J_q;
   return point;
@@ -63,6 +66,9 @@ const TickRecord& Recorder::record(double t, const ModelTerms& m, const Locomoti
   r.t = t;
   r.com = m.p_com;
   r.com_reference = reference.com.p;
+  r.trunk = m.state.p_WB;
+  r.trunk_rotation = Eigen::Quaterniond(m.state.R_WB);
+  r.joint_angle = m.state.q;
   r.path_position = reference.path;
   r.orientation_error = Eigen::AngleAxisd(Mat3(reference.R_WB * m.state.R_WB.transpose())).angle();
   r.stance = controller.stance();
@@ -87,7 +93,7 @@ const TickRecord& Recorder::record(double t, const ModelTerms& m, const Locomoti
     r.disturbance_active = r.disturbance_active || active;
     r.disturbance_onset = r.disturbance_onset || active != (t > 0.0 && profile.active(t - dt_));
   }
-  record_estimate(estimate);
+  judge(estimate, r);
   remember_truth(m, forces);
   r.qp_solved = command.event != QpEvent::kHeld;
   r.qp_status = command.qp_status;
@@ -116,14 +122,16 @@ void Recorder::record_balance(const ModelTerms& m, const LocomotionController& c
   r.center_of_pressure = moment / normal;
 }
 
-void Recorder::record_estimate(const Estimate& estimate) noexcept {
-  TickRecord& r = record_;
+void Recorder::judge(const Estimate& estimate, TickRecord& r) const noexcept {
   r.has_leg_estimate = estimate.has_legs && have_truth_;
   r.leg_torque_estimate = estimate.leg_torque;
   r.leg_torque_true = true_torque_;
   r.has_force_estimate = r.has_leg_estimate && single_leg_force_;
   r.force_true = true_force_;
   r.force_estimate = r.has_force_estimate ? force_at_point(point_jacobian_, estimate.leg_torque) : Vec3::Zero();
+  r.has_com_estimate = estimate.has_com && have_truth_;
+  r.com_wrench_estimate = estimate.com_wrench;
+  r.com_wrench_true = true_wrench_;
 }
 
 void Recorder::tell_truth(Estimate& estimate) const noexcept {
@@ -136,18 +144,25 @@ void Recorder::remember_truth(const ModelTerms& m, std::span<const AppliedForce>
   true_torque_.setZero();
   true_wrench_.setZero();
   true_force_.setZero();
+  record_.applied_point.setZero();
+  record_.applied_force.setZero();
   int acting = 0;
   for (const AppliedForce& force : forces) {
     if (force.force_W.isZero(0.0)) continue;
     const ForcePoint point = force_point(m, force);
     true_torque_ += point.J_j.transpose() * force.force_W;
     true_wrench_ += point.J_com.transpose() * force.force_W;
+    if (acting == 0) {
+      record_.applied_point = point.p;
+      record_.applied_force = force.force_W;
+    }
     ++acting;
     single_leg_force_ = acting == 1 && force.leg != AppliedForce::kTrunk;
     point_jacobian_ = point.J_j;
     true_force_ = force.force_W;
   }
   if (acting != 1) single_leg_force_ = false;
+  record_.applied_forces = acting;
 }
 
 }  // namespace dob

@@ -22,13 +22,15 @@ class Recorder {
                            const WbcTick& command, const StepResult& step, const Estimate& estimate,
                            std::span<const AppliedForce> forces) noexcept;
 
+  // Puts an estimate for the interval of the last record, beside the truth about it, into the estimate's part of `r`.
+  void judge(const Estimate& estimate, TickRecord& r) const noexcept;
+
   // Puts the truth about the interval of the last record into the parts that the estimate says it has: what an oracle
   // stands for.
   void tell_truth(Estimate& estimate) const noexcept;
 
  private:
   void record_balance(const ModelTerms& m, const LocomotionController& controller) noexcept;
-  void record_estimate(const Estimate& estimate) noexcept;
   void remember_truth(const ModelTerms& m, std::span<const AppliedForce> forces) noexcept;
 
   std::vector<ForceProfile> profiles_;  // of the scenario's disturbances

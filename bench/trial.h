@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bench/recorder.h"
+#include "bench/tick_clock.h"
 #include "controller/locomotion_controller.h"
 #include "observers/observer.h"
 #include "results/cell.h"
@@ -26,6 +27,9 @@ class Trial {
 
   // Runs to the scenario's end or a fall. The result's key holds what the trial knows of it. `sink` sees every tick.
   CellResult run(const Sink& sink = {});
+
+  // Measures the ticks from now on; the clock must outlive the trial. Changes nothing else.
+  void time_ticks(TickClock& clock);
 
   // One control tick and simulation step; false when the robot has fallen. For run() and benchmarks.
   bool tick();
@@ -67,6 +71,7 @@ class Trial {
   const char* fall_reason_ = "";
   Recorder recorder_;
   TickRecord record_;
+  TickClock* clock_ = nullptr;
 };
 
 }  // namespace dob

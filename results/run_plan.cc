@@ -139,9 +139,13 @@ std::string select_cell_id() {
   return fmt::format("SELECT id FROM cell WHERE {} = ?", fmt::join(kKeyColumns, " = ? AND "));
 }
 
-void require_same_program(const fs::path& dir, const RunInfo& now) {
+RunInfo read_run_info(const fs::path& dir) {
   SQLite::Database database = open_database(dir);
-  const RunInfo run = with_database(dir / kDatabaseFile, [&] { return read_info(database); });
+  return with_database(dir / kDatabaseFile, [&] { return read_info(database); });
+}
+
+void require_same_program(const fs::path& dir, const RunInfo& now) {
+  const RunInfo run = read_run_info(dir);
   if (describe_program(run) == describe_program(now)) return;
   refuse(dir, fmt::format("its cells were computed by {}, this is {}: go on with that program, or begin a new run",
                           describe_program(run), describe_program(now)));

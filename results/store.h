@@ -105,6 +105,9 @@ CellTiming timing_from_line(const std::string& line);
 // True if there is a run in `dir`.
 bool is_run_directory(const std::filesystem::path& dir);
 
+// What was run, without the results.
+RunInfo read_run_info(const std::filesystem::path& dir);
+
 // A whole run; a batch may be writing it at the same time.
 Run read_run(const std::filesystem::path& dir);
 
