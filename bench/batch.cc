@@ -1,35 +1,128 @@
 #include "bench/batch.h"
 
-#include <cstdio>
+#include <algorithm>
+#include <optional>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "bench/build_info.h"
+#include "bench/cell_files.h"
+#include "bench/progress.h"
 #include "bench/tick_log.h"
 #include "bench/trial.h"
 #include "bench/worker_pool.h"
+#include "scenarios/input_error.h"
+#include "scenarios/loader.h"
 
 namespace dob {
 namespace {
 
-std::string label(const CellKey& key) {
-  return fmt::format("{}{}{} {} {}", key.scenario, key.variant.empty() ? "" : "/", key.variant, key.observer,
-                     key.profile);
-}
+namespace fs = std::filesystem;
 
-CellResult run_cell(const BatchPlan& plan, const PlannedCell& cell, const std::filesystem::path& log_dir) {
-  Trial trial(plan.scenarios[cell.scenario], cell.observer, cell.key.seed, cell.shadows);
-  CellResult result;
-  if (log_dir.empty()) {
-    result = trial.run();
-  } else {
-    TickLog log(log_dir / log_name(cell.key));
-    result = trial.run([&log](const TickRecord& tick) { log.add(tick); });
-    log.close();
+constexpr double kTraceRate = 100.0;  // [Hz]: 11 samples of a swing of 0.115 s, 1.6 MB for 46 s
+
+class Batch {
+ public:
+  Batch(const BatchPlan& plan, const BatchOptions& options) : plan_(plan), options_(options), store_(open_store()) {
+    if (options.log_csv) fs::create_directories(store_.dir() / "logs");
+    if (options.keep != Keep::kNone) fs::create_directories(store_.dir() / "traces");
+    choose_cells();
   }
-  result.key = cell.key;
-  return result;
-}
+
+  BatchSummary run() {
+    double cost = 0.0;
+    for (const std::size_t cell : cells_) cost += expected_cost(cell);
+    Progress progress(plan_.cells.size(), plan_.cells.size() - cells_.size(), cost, options_.progress);
+    const auto task = [&](std::size_t i) { return cell_to_line(run_cell(cells_[i])); };
+    const auto done = [&](std::size_t i, const TaskOutcome& outcome) {
+      const CellResult result = outcome.ok ? cell_from_line(outcome.output) : error_row(cells_[i], outcome.reason);
+      store_.append(result);
+      if (!outcome.ok) ++summary_.errors;
+      progress.add(result, expected_cost(cells_[i]));
+    };
+    summary_.stop_signal = run_in_processes(cells_.size(), {options_.jobs, options_.timeout_s}, task, done);
+    return summary_;
+  }
+
+ private:
+  RunStore open_store() const {
+    const RunInfo info = run_info(plan_, options_.command_line);
+    if (options_.out.empty()) {
+      if (options_.resume) throw InputError("--resume: needs --out DIR");
+      return RunStore::create_numbered("dobbench-results", info, plan_.resolved);
+    }
+    return options_.resume && is_run_directory(options_.out) ? RunStore::resume(options_.out, info, plan_.resolved)
+                                                             : RunStore::create(options_.out, info, plan_.resolved);
+  }
+
+  // Those that are not finished, the longest first: the last ones to end are short, and no job waits long for another.
+  void choose_cells() {
+    summary_.dir = store_.dir();
+    const std::vector<CellState> states = store_.states();
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      if (states[i] == CellState::kPending || (states[i] == CellState::kError && options_.retry_errors)) {
+        cells_.push_back(i);
+      } else if (states[i] == CellState::kError) {
+        ++summary_.errors;
+      }
+    }
+    std::stable_sort(cells_.begin(), cells_.end(),
+                     [&](std::size_t a, std::size_t b) { return expected_cost(a) > expected_cost(b); });
+    std::set<CellKey> rows;
+    for (const PlannedCell& cell : plan_.cells) {
+      CellKey row = cell.key;
+      row.seed = 0;
+      first_seed_.push_back(rows.insert(row).second);
+    }
+  }
+
+  double expected_cost(std::size_t cell) const { return plan_.scenarios[plan_.cells[cell].scenario].duration; }
+
+  bool keeps(std::size_t cell) const {
+    return options_.keep == Keep::kAll || (options_.keep == Keep::kFirstSeed && first_seed_[cell]);
+  }
+
+  // In the cell's own process.
+  CellResult run_cell(std::size_t index) const {
+    const PlannedCell& cell = plan_.cells[index];
+    const Scenario& scenario = plan_.scenarios[cell.scenario];
+    const std::string name = cell_file_name(index, cell.key);
+    std::optional<TickLog> log;
+    std::optional<TraceRecorder> trace;
+    if (options_.log_csv) log.emplace(store_.dir() / "logs" / (name + ".csv"), options_.log_rate, scenario.sim.dt);
+    if (keeps(index)) trace.emplace(kTraceRate, scenario.sim.dt);
+    Trial trial(scenario, cell.observer, cell.key.seed, cell.shadows);
+    CellResult result = trial.run([&](const TickRecord& tick) {
+      if (log) log->add(tick);
+      if (trace) trace->add(tick);
+    });
+    if (log) log->close();
+    if (trace) {
+      result.trace = "traces/" + name + ".dobtrace";
+      write_trace(store_.dir() / result.trace, trace->trace());
+    }
+    result.key = cell.key;
+    return result;
+  }
+
+  CellResult error_row(std::size_t cell, const std::string& reason) const {
+    CellResult result;
+    result.key = plan_.cells[cell].key;
+    result.outcome = Outcome::kError;
+    result.reason = reason;
+    return result;
+  }
+
+  const BatchPlan& plan_;
+  const BatchOptions& options_;
+  RunStore store_;
+  BatchSummary summary_;
+  std::vector<std::size_t> cells_;  // to be run, in the order of their start: indices into plan_.cells
+  std::vector<bool> first_seed_;    // of its row in the tables, for every cell of the plan
+};
+
+}  // namespace
 
 RunInfo run_info(const BatchPlan& plan, const std::string& command_line) {
   const BuildInfo build = build_info();
@@ -42,44 +135,15 @@ RunInfo run_info(const BatchPlan& plan, const std::string& command_line) {
                .machine = this_machine(),
                .date = utc_now(),
                .cells = {}};
-  for (const PlannedCell& cell : plan.cells) info.cells.push_back(cell.key);
+  for (const PlannedCell& cell : plan.cells) {
+    info.cells.push_back(cell.key);
+    info.sources.push_back({plan.resolved[cell.scenario].name, profile_toml({cell.observer})});
+  }
   return info;
 }
 
-}  // namespace
-
 BatchSummary run_batch(const BatchPlan& plan, const BatchOptions& options) {
-  const RunInfo info = run_info(plan, options.command_line);
-  RunStore store = options.out.empty() ? RunStore::create_numbered("dobbench-results", info, plan.resolved)
-                                       : RunStore::create(options.out, info, plan.resolved);
-  std::filesystem::path log_dir;
-  if (options.log_csv) {
-    log_dir = store.dir() / "logs";
-    std::filesystem::create_directory(log_dir);
-  }
-  BatchSummary summary{.dir = store.dir(), .errors = 0, .stop_signal = 0};
-  std::size_t finished = 0;
-  const auto task = [&](std::size_t i) { return cell_to_line(run_cell(plan, plan.cells[i], log_dir)); };
-  const auto done = [&](std::size_t i, const TaskOutcome& outcome) {
-    CellResult result;
-    if (outcome.ok) {
-      result = cell_from_line(outcome.output);
-    } else {
-      result.key = plan.cells[i].key;
-      result.outcome = Outcome::kError;
-      result.reason = outcome.reason;
-      ++summary.errors;
-    }
-    store.append(result);
-    ++finished;
-    if (options.progress) {
-      fmt::print(stderr, "\r\033[K{}/{} cells, last: {}", finished, plan.cells.size(), label(result.key));
-      std::fflush(stderr);
-    }
-  };
-  summary.stop_signal = run_in_processes(plan.cells.size(), {options.jobs, options.timeout_s}, task, done);
-  if (options.progress) fmt::print(stderr, "\r\033[K");
-  return summary;
+  return Batch(plan, options).run();
 }
 
 }  // namespace dob

@@ -7,11 +7,17 @@
 
 namespace dob {
 
+enum class Keep { kNone, kFirstSeed, kAll };
+
 struct BatchOptions {
   int jobs = 1;
   double timeout_s = 0.0;     // [s] wall time for one cell; 0: none
   std::filesystem::path out;  // run directory; empty: ./dobbench-results/NNNN
-  bool log_csv = false;       // every tick of every cell as logs/CELL.csv
+  bool resume = false;        // goes on with the run in `out`, if there is one
+  bool retry_errors = false;  // with resume: cells that could not be run are run again
+  bool log_csv = false;       // time series of every cell as logs/CELL.csv
+  double log_rate = 1000.0;   // [Hz] of these
+  Keep keep = Keep::kNone;    // cells whose time series are kept as traces/CELL.dobtrace
   bool progress = false;      // a progress line on stderr
   std::string command_line;
 };
@@ -22,7 +28,11 @@ struct BatchSummary {
   int stop_signal = 0;     // SIGINT or SIGTERM ended the batch; 0: it is complete
 };
 
-// Throws StoreError when the run directory cannot be made or written.
+// The results do not depend on jobs, nor on whether the batch was interrupted and resumed. Throws StoreError when the
+// run directory cannot be made or written, holds another run, or is being written by another process.
 BatchSummary run_batch(const BatchPlan& plan, const BatchOptions& options);
+
+// What the run directory says about this program, machine and plan.
+RunInfo run_info(const BatchPlan& plan, const std::string& command_line);
 
 }  // namespace dob

@@ -1,5 +1,8 @@
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <thread>
 #include <unistd.h>
@@ -8,18 +11,23 @@
 
 #include "bench/batch.h"
 #include "bench/commands.h"
+#include "bench/shell_words.h"
 #include "results/table.h"
 #include "scenarios/input_error.h"
 
 namespace dob {
 namespace {
 
+constexpr std::array kOperational{"--resume", "--retry-errors", "--out", "--jobs", "--timeout"};
+
+// What was asked for is data; what it is done with (kOperational) is not.
 struct Arguments {
   BatchRequest request;
   BatchOptions options;
   std::vector<std::string> shadows;
   std::string seeds = "1";
   std::string log = "none";
+  Keep keep = Keep::kFirstSeed;
 };
 
 int parse_seed(std::string_view text, const std::string& whole) {
@@ -44,12 +52,52 @@ void read_seeds(const std::string& text, BatchRequest& request) {
   if (request.last_seed < request.first_seed) parse_seed("", text);
 }
 
-int run(Arguments& arguments) {
+CLI::App* add_options(CLI::App& app, Arguments* arguments);
+
+// The arguments of the command line that began the run in `dir`.
+Arguments arguments_of_run(const std::filesystem::path& dir) {
+  std::vector<std::string> words = split_words(read_run_info(dir).command_line);
+  if (words.size() < 2 || words[1] != "run") {
+    throw StoreError(
+        fmt::format("{}: was not begun by `dobbench run`; give the arguments that began it", dir.string()));
+  }
+  Arguments stored;
+  CLI::App app;
+  add_options(app, &stored);
+  std::reverse(words.begin(), words.end());
+  words.pop_back();
+  app.parse(words);
+  read_seeds(stored.seeds, stored.request);
+  return stored;
+}
+
+bool asks_for_nothing(const CLI::App& command) {
+  const auto options = command.get_options([](const CLI::Option* option) {
+    return option->count() > 0 && std::none_of(kOperational.begin(), kOperational.end(),
+                                               [&](const char* name) { return option->get_name() == name; });
+  });
+  return options.empty();
+}
+
+// `run --resume --out DIR` alone goes on with what began the run.
+void take_plan_of_run(Arguments& arguments) {
+  Arguments stored = arguments_of_run(arguments.options.out);
+  const double log_rate = stored.options.log_rate;
+  stored.options = arguments.options;
+  stored.options.log_rate = log_rate;
+  arguments = stored;
+}
+
+int run(Arguments& arguments, const CLI::App& command) {
+  if (arguments.options.resume && is_run_directory(arguments.options.out) && asks_for_nothing(command)) {
+    take_plan_of_run(arguments);
+  }
   read_seeds(arguments.seeds, arguments.request);
   for (const std::string& list : arguments.shadows) {
     for (std::string& shadow : split_specifications(list)) arguments.request.shadows.push_back(std::move(shadow));
   }
   arguments.options.log_csv = arguments.log == "csv";
+  arguments.options.keep = arguments.keep;
   arguments.options.progress = ::isatty(STDERR_FILENO) == 1;
   const BatchPlan plan = plan_batch(arguments.request);
   const BatchSummary summary = run_batch(plan, arguments.options);
@@ -61,13 +109,10 @@ int run(Arguments& arguments) {
   return summary.errors > 0 ? kExitCellErrors : kExitOk;
 }
 
-}  // namespace
-
-Command add_run_command(CLI::App& app, const std::string& command_line) {
-  auto arguments = std::make_shared<Arguments>();
+CLI::App* add_options(CLI::App& app, Arguments* arguments) {
+  const std::map<std::string, Keep> keeps{{"none", Keep::kNone}, {"first-seed", Keep::kFirstSeed}, {"all", Keep::kAll}};
   BatchRequest& request = arguments->request;
   BatchOptions& options = arguments->options;
-  options.command_line = command_line;
   options.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   CLI::App* command = app.add_subcommand("run", "run scenarios with observers and print the comparison table");
   command->add_option("scenario", request.scenarios, "NAME, NAME/VARIANT or FILE.toml; the paper's set by default");
@@ -83,12 +128,36 @@ Command add_run_command(CLI::App& app, const std::string& command_line) {
   command->add_option("--seeds", arguments->seeds, "N for the seeds 1 to N, or A..B (default 1)");
   command->add_option("--set", request.overrides, "KEY=VALUE laid over every scenario")->allow_extra_args(false);
   command->add_option("--jobs", options.jobs, "cells at a time (default: the cores)")->check(CLI::Range(1, 1024));
-  command->add_option("--out", options.out, "run directory, new or empty (default dobbench-results/NNNN)");
-  command->add_option("--log", arguments->log, "csv: every tick of every cell as a file")
+  CLI::Option* out =
+      command->add_option("--out", options.out, "run directory, new or empty (default dobbench-results/NNNN)");
+  CLI::Option* resume = command->add_flag(
+      "--resume", options.resume,
+      "go on with the run in --out, by the same program and with the same arguments (none: those that began it), or "
+      "begin it; cells that could not be run stay as they are");
+  resume->needs(out);
+  command->add_flag("--retry-errors", options.retry_errors, "run those cells again")->needs(resume);
+  command->add_option("--log", arguments->log, "csv: time series of every cell as a file, for PlotJuggler")
       ->check(CLI::IsMember({"none", "csv"}));
+  command->add_option("--log-rate", options.log_rate, "of these [Hz] (default 1000)")->check(CLI::Range(1e-3, 1e6));
+  command
+      ->add_option("--keep", arguments->keep, "cells whose time series the run keeps: none, first-seed (default), all")
+      ->transform(CLI::CheckedTransformer(keeps));
   command->add_option("--timeout", options.timeout_s, "wall time for one cell [s]; 0: none")
       ->check(CLI::Range(0.0, 1e9));
-  return [arguments] { return run(*arguments); };
+  return command;
+}
+
+}  // namespace
+
+BatchRequest request_of_run(const std::filesystem::path& dir) {
+  return arguments_of_run(dir).request;
+}
+
+Command add_run_command(CLI::App& app, const std::string& command_line) {
+  auto arguments = std::make_shared<Arguments>();
+  const CLI::App* command = add_options(app, arguments.get());
+  arguments->options.command_line = command_line;
+  return [arguments, command] { return run(*arguments, *command); };
 }
 
 }  // namespace dob

@@ -3,10 +3,13 @@
 // stopped by signal n.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 
 #include <CLI/CLI.hpp>
+
+#include "bench/batch_plan.h"
 
 namespace dob {
 
@@ -18,12 +21,16 @@ inline constexpr int kExitSignal = 128;
 
 using Command = std::function<int()>;
 
+// What the `dobbench run` that began the run in `dir` was asked for. Throws StoreError if it was begun otherwise.
+BatchRequest request_of_run(const std::filesystem::path& dir);
+
 Command add_analyse_command(CLI::App& app);
 Command add_check_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
 Command add_list_command(CLI::App& app);
 Command add_run_command(CLI::App& app, const std::string& command_line);
 Command add_table_command(CLI::App& app);
+Command add_timing_command(CLI::App& app, const std::string& command_line);
 Command add_tune_command(CLI::App& app, const std::string& command_line);
 
 }  // namespace dob

@@ -6,15 +6,14 @@
 
 #include "bench/build_info.h"
 #include "bench/commands.h"
+#include "bench/shell_words.h"
 #include "results/store.h"
 #include "scenarios/input_error.h"
 
 namespace {
 
 std::string command_line(int argc, char** argv) {
-  std::string line;
-  for (int i = 0; i < argc; ++i) line += (i > 0 ? " " : "") + std::string(argv[i]);
-  return line;
+  return dob::join_words({argv, argv + argc});
 }
 
 int run(int argc, char** argv) {
@@ -30,6 +29,7 @@ int run(int argc, char** argv) {
       {"list", dob::add_list_command(app)},
       {"run", dob::add_run_command(app, command_line(argc, argv))},
       {"table", dob::add_table_command(app)},
+      {"timing", dob::add_timing_command(app, command_line(argc, argv))},
       {"tune", dob::add_tune_command(app, command_line(argc, argv))},
   };
   try {

@@ -12,6 +12,7 @@ namespace {
 
 // The point where a force acts, with the Jacobian in CoM coordinates.
 struct ForcePoint {
+  Vec3 p;                            // [m]
   Mat36 J_com;                       // [-, m]
   Eigen::Matrix<double, 3, 12> J_j;  // [m]
 };
@@ -19,12 +20,14 @@ struct ForcePoint {
 ForcePoint force_point(const ModelTerms& m, const AppliedForce& force) noexcept {
   ForcePoint point;
   if (force.leg == AppliedForce::kTrunk) {
-    point.J_com = point_jacobian_com(m, m.state.p_WB + m.state.R_WB * force.p_L);
+    point.p = m.state.p_WB + m.state.R_WB * force.p_L;
+    point.J_com = point_jacobian_com(m, point.p);
     point.J_j = -point.J_com * m.A_c;
     return point;
   }
   const LegPoint on_leg = leg_point(m, Leg{force.leg}, force.link, force.p_L);
-  point.J_com = point_jacobian_com(m, on_leg.p);
+  point.p = on_leg.p;
+  point.J_com = point_jacobian_com(m, point.p);
   point.J_j = -point.J_com * m.A_c;
   point.J_j.middleCols<3>(3 * force.leg) += on_leg.J_q;
   return point;
@@ -62,6 +65,9 @@ const TickRecord& Recorder::record(double t, const ModelTerms& m, const Locomoti
   r.t = t;
   r.com = m.p_com;
   r.com_reference = reference.com.p;
+  r.trunk = m.state.p_WB;
+  r.trunk_rotation = Eigen::Quaterniond(m.state.R_WB);
+  r.joint_angle = m.state.q;
   r.path_position = reference.path;
   r.orientation_error = Eigen::AngleAxisd(Mat3(reference.R_WB * m.state.R_WB.transpose())).angle();
   r.stance = controller.stance();
@@ -132,18 +138,25 @@ void Recorder::remember_truth(const ModelTerms& m, std::span<const AppliedForce>
   true_torque_.setZero();
   true_wrench_.setZero();
   true_force_.setZero();
+  record_.applied_point.setZero();
+  record_.applied_force.setZero();
   int acting = 0;
   for (const AppliedForce& force : forces) {
     if (force.force_W.isZero(0.0)) continue;
     const ForcePoint point = force_point(m, force);
     true_torque_ += point.J_j.transpose() * force.force_W;
     true_wrench_ += point.J_com.transpose() * force.force_W;
+    if (acting == 0) {
+      record_.applied_point = point.p;
+      record_.applied_force = force.force_W;
+    }
     ++acting;
     single_leg_force_ = acting == 1 && force.leg != AppliedForce::kTrunk;
     point_jacobian_ = point.J_j;
     true_force_ = force.force_W;
   }
   if (acting != 1) single_leg_force_ = false;
+  record_.applied_forces = acting;
 }
 
 }  // namespace dob

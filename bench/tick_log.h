@@ -1,19 +1,20 @@
-// Every tick of a trial as a CSV file: --log csv.
+// The ticks of a trial as a CSV file: --log csv. Made for PlotJuggler: the first column is the time and increases
+// strictly, names nest with '/', every value is a number; what does not apply is empty.
 #pragma once
 
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
-#include "results/cell.h"
-#include "results/tick_record.h"
+#include "bench/signals.h"
 
 namespace dob {
 
 class TickLog {
  public:
-  // Throws StoreError if the file cannot be made.
-  explicit TickLog(const std::filesystem::path& file);
+  // About `rate` [Hz] of the ticks of dt [s]. Throws StoreError if the file cannot be made.
+  TickLog(const std::filesystem::path& file, double rate, double dt);
   void add(const TickRecord& tick);
   // Throws StoreError if something could not be written.
   void close();
@@ -21,10 +22,9 @@ class TickLog {
  private:
   std::filesystem::path file_;
   std::ofstream out_;
+  std::vector<Signal> signals_;
+  Decimation decimation_;
   std::string line_;
 };
-
-// A file name made of the cell's key; letters, digits, '.', '_' and '-' only.
-std::string log_name(const CellKey& key);
 
 }  // namespace dob

@@ -126,10 +126,17 @@ void Trial::start_moving(RobotState& initial) {
   }
 }
 
+void Trial::time_ticks(TickClock& clock) {
+  clock_ = &clock;
+  controller_.use_solver(clock.timed(make_wbc_solver()));
+}
+
 bool Trial::tick() {
   const double t = time();
   ModelTerms& m = *now_;
+  if (clock_ != nullptr) clock_->start();
   const WbcTick& command = controller_.update(m, foot_force_, for_controller(estimate_));
+  if (clock_ != nullptr) clock_->stop();
   if (!command.torque.allFinite()) {
     fall_reason_ = "non-finite command";
     return false;
@@ -140,9 +147,12 @@ bool Trial::tick() {
   shadows_.judge(recorder_);
   record_ = recorder_.record(t, m, controller_, command, step, estimate_, disturbances_);
 
+  const SensorReading reading = sensors_.measure(step);
   std::swap(start_, now_);
+  if (clock_ != nullptr) clock_->start();
   model_.compute(simulator_.state(), *now_);
-  observe(sensors_.measure(step));
+  observe(reading);
+  if (clock_ != nullptr) clock_->end_tick();
   ++tick_;
   return !has_fallen(step);
 }

@@ -8,6 +8,7 @@
 
 #include "bench/recorder.h"
 #include "bench/shadows.h"
+#include "bench/tick_clock.h"
 #include "controller/locomotion_controller.h"
 #include "observers/observer.h"
 #include "results/cell.h"
@@ -32,6 +33,9 @@ class Trial {
   // Throws std::runtime_error when it came to its end but a disturbance never came to its trigger: it would be taken
   // for a trial under that disturbance.
   CellResult run(const Sink& sink = {});
+
+  // Measures the ticks from now on; the clock must outlive the trial. Changes nothing else.
+  void time_ticks(TickClock& clock);
 
   // One control tick and simulation step; false when the robot has fallen. For run() and benchmarks.
   bool tick();
@@ -75,6 +79,7 @@ class Trial {
   const char* fall_reason_ = "";
   Recorder recorder_;
   TickRecord record_;
+  TickClock* clock_ = nullptr;
 };
 
 }  // namespace dob

@@ -1,6 +1,9 @@
 // The controller of the paper's Fig. 2: foot scheduler, motion planner, quadratic problem, torques.
 #pragma once
 
+#include <memory>
+#include <utility>
+
 #include "controller/gait_scheduler.h"
 #include "controller/motion_planner.h"
 #include "controller/whole_body_controller.h"
@@ -18,6 +21,9 @@ class LocomotionController {
  public:
   // Throws std::invalid_argument naming the option, its value and what is allowed.
   LocomotionController(const LocomotionOptions& options, const ReferencePath& path, double dt);
+
+  // Another solver of the QP, from the next tick on; throws std::invalid_argument for none.
+  void use_solver(std::unique_ptr<WbcQpSolver> solver) { wbc_.use_solver(std::move(solver)); }
 
   // Standing at `m`; see GaitScheduler::reset for the gait's phase.
   void reset(const ModelTerms& m, double initial_footstep_time = 0.0, int first_step = 0) noexcept;

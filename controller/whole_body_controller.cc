@@ -19,8 +19,8 @@ void require(bool ok, const char* name, double value, const char* allowed) {
 
 WholeBodyController::WholeBodyController(const WbcOptions& o, const Routing& routing,
                                          std::unique_ptr<WbcQpSolver> solver)
-    : options_(o), routing_(routing), qp_(o), solver_(std::move(solver)) {
-  if (solver_ == nullptr) throw std::invalid_argument("controller: no QP solver");
+    : options_(o), routing_(routing), qp_(o) {
+  use_solver(std::move(solver));
   for (int i = 0; i < 6; ++i) {
     require(o.wrench_kp[i] >= 0.0, "wrench_kp", o.wrench_kp[i], ">= 0");
     require(o.wrench_kd[i] >= 0.0, "wrench_kd", o.wrench_kd[i], ">= 0");
@@ -44,6 +44,11 @@ WholeBodyController::WholeBodyController(const WbcOptions& o, const Routing& rou
                       j, limits.lower[j], limits.upper[j], limits.velocity[j]));
     }
   }
+}
+
+void WholeBodyController::use_solver(std::unique_ptr<WbcQpSolver> solver) {
+  if (solver == nullptr) throw std::invalid_argument("controller: no QP solver");
+  solver_ = std::move(solver);
 }
 
 void WholeBodyController::reset() noexcept {

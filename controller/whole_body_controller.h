@@ -33,6 +33,9 @@ class WholeBodyController {
   WholeBodyController(const WbcOptions& options, const Routing& routing,
                       std::unique_ptr<WbcQpSolver> solver = make_wbc_solver());
 
+  // Another solver from the next tick on; throws std::invalid_argument for none.
+  void use_solver(std::unique_ptr<WbcQpSolver> solver);
+
   void reset() noexcept;
 
   // Tick number `k` since reset, of dt [s]. The QP runs at options.qp_rate on the grid of ticks (400 Hz at 1 ms: every

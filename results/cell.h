@@ -53,11 +53,20 @@ struct CellResult {
   Outcome outcome = Outcome::kError;
   std::string reason;            // why it fell or could not be run; empty when it survived
   double simulated_s = 0.0;      // [s]
-  double wall_s = 0.0;           // [s] of the whole trial
+  double wall_s = 0.0;           // [s] of the whole trial, next to whatever else ran; no measure of speed
   std::uint64_t state_hash = 0;  // of every state of the trajectory, bit for bit
   CellMetrics metrics;
   std::vector<MetricsCheckpoint> checkpoints;  // in the order of time
   std::vector<ShadowResult> shadows;
+  std::string trace;  // file of its time series, relative to the run directory; "": none was kept
+};
+
+// What a serial pass has measured of a cell: how long the work of a control tick takes.
+struct CellTiming {
+  CellKey key;
+  double tick_p50_us = 0.0, tick_p99_us = 0.0, tick_max_us = 0.0;  // [us] model, observer, controller with its QP
+  double qp_p50_us = 0.0, qp_p99_us = 0.0;                         // [us] ticks' QP, at ticks where one was solved
+  double real_time_factor = 0.0;                                   // simulated over wall time, simulator included
 };
 
 // What a serial pass has measured of a cell: how long the work of a control tick takes.

@@ -1,174 +1,155 @@
 #include "results/store.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <system_error>
-#include <unistd.h>
+#include <mutex>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "results/store_json.h"
+#include "results/metric_fields.h"
+#include "results/run_database.h"
+#include "results/run_directory.h"
+#include "results/run_lock.h"
+#include "results/run_plan.h"
 
 namespace dob {
-namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& path, const std::string& what, int error = errno) {
-  throw StoreError(fmt::format("{}: {}: {}", path.string(), what, std::generic_category().message(error)));
-}
+struct RunStore::Impl {
+  fs::path dir;
+  RunLock lock;
+  SQLite::Database database;
+  long batch;  // id of this one
+  std::mutex mutex;
 
-// All of `text` by one write(2); on failure what was written of it is taken back.
-void append_text(int fd, const fs::path& path, const std::string& text) {
-  const off_t before = ::lseek(fd, 0, SEEK_END);
-  const ssize_t written = ::write(fd, text.data(), text.size());
-  if (written == static_cast<ssize_t>(text.size())) return;
-  const int error = written < 0 ? errno : ENOSPC;
-  if (before < 0 || ::ftruncate(fd, before) != 0) fail(path, "cannot take back an incomplete line", error);
-  fail(path, "cannot write", error);
-}
+  SQLite::Statement cell_id, insert_result, insert_checkpoint, insert_shadow, insert_timing;
 
-int open_for_append(const fs::path& path) {
-  const int fd = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (fd < 0) fail(path, "cannot open for writing");
-  return fd;
-}
+  Impl(fs::path directory, const RunInfo& now)
+      : dir(std::move(directory)),
+        lock(dir),
+        database(open_database(dir)),
+        batch(add_batch(database, now)),
+        cell_id(database, select_cell_id()),
+        insert_result(database, insert_into("result", result_columns())),
+        insert_checkpoint(database,
+                          insert_into("checkpoint", with_columns({"cell", "number", "t_s"}, kCheckpointColumns))),
+        insert_shadow(database,
+                      insert_into("shadow", with_columns({"cell", "number", "observer", "profile"}, kShadowColumns))),
+        insert_timing(database, insert_into("timing", with_columns({"cell", "batch"}, kTimingColumns))) {}
 
-// Removes what follows the last line end.
-void remove_torn_line(int fd, const fs::path& path) {
-  off_t size = ::lseek(fd, 0, SEEK_END);
-  for (char last = 0; size > 0; --size) {
-    if (::pread(fd, &last, 1, size - 1) != 1) fail(path, "cannot read");
-    if (last == '\n') break;
+  long id_of(const CellKey& key) {
+    RowBinder(cell_id).add(key);
+    if (!cell_id.executeStep()) throw StoreError(dir.string() + ": a cell that does not belong to the run");
+    const long id = cell_id.getColumn(0).getInt64();
+    cell_id.reset();
+    return id;
   }
-  if (::ftruncate(fd, size) != 0) fail(path, "cannot remove an incomplete last line");
-}
 
-// Complete or absent, never half written.
-void write_file(const fs::path& path, const std::string& text) {
-  const fs::path part = path.string() + ".part";
-  const int fd = open_for_append(part);
-  try {
-    append_text(fd, part, text);
-  } catch (const StoreError&) {
-    ::close(fd);
-    throw;
+  // All of it or nothing.
+  template <typename Write>
+  void write(const Write& write_rows) {
+    const std::lock_guard guard(mutex);
+    with_database(dir / kDatabaseFile, [&] {
+      SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
+      write_rows();
+      transaction.commit();
+    });
   }
-  ::close(fd);
-  std::error_code error;
-  fs::rename(part, path, error);
-  if (error) fail(path, "cannot write", error.value());
-}
 
-void check_names(const std::vector<ResolvedScenario>& scenarios) {
-  constexpr std::string_view kAllowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
-  for (const ResolvedScenario& scenario : scenarios) {
-    const std::string& name = scenario.name;
-    if (name.empty() || name.front() == '.' || name.find_first_not_of(kAllowed) != std::string::npos) {
-      throw StoreError(fmt::format(
-          "scenarios/{}.toml: a scenario's name consists of letters, digits, '_', '-' and '.', not first", name));
+  void write_result(long cell, const CellResult& result) {
+    RowBinder row(insert_result);
+    row.add(cell).add(batch).add(kOutcomes.at(static_cast<std::size_t>(result.outcome))).add(result.reason);
+    row.add(result.simulated_s).add(result.wall_s).add(fmt::format("{:016x}", result.state_hash)).add(result.trace);
+    row.add(result.metrics.qp_solves);
+    for (const MetricField& field : kMetricFields) {
+      field.value != nullptr ? row.add(result.metrics.*field.value) : row.add(result.metrics.*field.count);
     }
-    const auto same = [&](const ResolvedScenario& other) { return other.name == name; };
-    if (std::count_if(scenarios.begin(), scenarios.end(), same) > 1) {
-      throw StoreError(fmt::format("scenarios/{}.toml: two scenarios of this name", name));
+    insert_result.exec();
+  }
+
+  void write_lists(long cell, const CellResult& result) {
+    database.exec(fmt::format("DELETE FROM checkpoint WHERE cell = {0}; DELETE FROM shadow WHERE cell = {0};", cell));
+    for (long i = 0; const MetricsCheckpoint& checkpoint : result.checkpoints) {
+      RowBinder row(insert_checkpoint);
+      row.add(cell).add(i++).add(checkpoint.t);
+      for (const CheckpointColumn& column : kCheckpointColumns) row.add(checkpoint.*column.field);
+      insert_checkpoint.exec();
+    }
+    for (long i = 0; const ShadowResult& shadow : result.shadows) {
+      RowBinder row(insert_shadow);
+      row.add(cell).add(i++).add(shadow.observer).add(shadow.profile);
+      for (const ShadowColumn& column : kShadowColumns) row.add(shadow.*column.field);
+      insert_shadow.exec();
     }
   }
-}
+};
 
-void make_directories(const fs::path& dir) {
-  std::error_code error;
-  fs::create_directories(dir, error);
-  if (error) fail(dir, "cannot create the directory", error.value());
-}
-
-// run.json comes last: a directory that has it is complete.
-void fill(const fs::path& dir, const RunInfo& info, const std::vector<ResolvedScenario>& scenarios) {
-  make_directories(dir / "scenarios");
-  for (const ResolvedScenario& scenario : scenarios) {
-    write_file(dir / "scenarios" / (scenario.name + ".toml"), scenario.toml);
-  }
-  write_file(dir / "run.json", to_json(info).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
-}
-
-// The number that a directory's name is, 0 for any other name.
-int run_number(const std::string& name) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-  return error == std::errc{} && end == name.data() + name.size() ? std::max(number, 0) : 0;
-}
-
-fs::path make_numbered(const fs::path& root) {
-  make_directories(root);
-  int number = 0;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(root, error)) {
-    number = std::max(number, run_number(entry.path().filename().string()));
-  }
-  if (error) fail(root, "cannot read the directory", error.value());
-  while (true) {
-    fs::path dir = root / fmt::format("{:04}", ++number);
-    if (::mkdir(dir.c_str(), 0777) == 0) return dir;  // atomic: the number belongs to this process
-    if (errno != EEXIST) fail(dir, "cannot create the directory");
-  }
-}
-
-}  // namespace
+RunStore::RunStore(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+RunStore::~RunStore() = default;
 
 RunStore RunStore::create(const fs::path& dir, const RunInfo& info, const std::vector<ResolvedScenario>& scenarios) {
   check_names(scenarios);
-  std::error_code error;
-  if (fs::exists(dir / "run.json", error)) throw StoreError(dir.string() + ": holds a run already");
-  make_directories(dir);
-  const bool empty = fs::is_empty(dir, error);
-  if (error) fail(dir, "cannot read the directory", error.value());
-  if (!empty) throw StoreError(dir.string() + ": exists, is not empty, and is not a run directory");
-  fill(dir, info, scenarios);
-  return RunStore(dir);
+  prepare_directory(dir);
+  fill_directory(dir, info, scenarios);
+  return open(dir, info);
 }
 
 RunStore RunStore::create_numbered(const fs::path& root, const RunInfo& info,
                                    const std::vector<ResolvedScenario>& scenarios) {
   check_names(scenarios);
   const fs::path dir = make_numbered(root);
-  fill(dir, info, scenarios);
-  return RunStore(dir);
+  fill_directory(dir, info, scenarios);
+  return open(dir, info);
 }
 
-RunStore RunStore::open(const fs::path& dir) {
-  std::error_code error;
-  if (!fs::exists(dir / "run.json", error)) {
-    throw StoreError(dir.string() + ": is not a run directory (it has no run.json)");
-  }
-  return RunStore(dir);
+RunStore RunStore::open(const fs::path& dir, const RunInfo& now) {
+  require_same_program(dir, now);
+  return RunStore(with_database(dir / kDatabaseFile, [&] { return std::make_unique<Impl>(dir, now); }));
 }
 
-RunStore::RunStore(fs::path dir) : dir_(std::move(dir)) {
-  cells_fd_ = open_for_append(dir_ / "cells.jsonl");
-  try {
-    timing_fd_ = open_for_append(dir_ / "timing.jsonl");
-    remove_torn_line(cells_fd_, dir_ / "cells.jsonl");
-    remove_torn_line(timing_fd_, dir_ / "timing.jsonl");
-  } catch (const StoreError&) {
-    ::close(cells_fd_);
-    if (timing_fd_ >= 0) ::close(timing_fd_);
-    throw;
-  }
-}
-
-RunStore::~RunStore() {
-  ::close(cells_fd_);
-  ::close(timing_fd_);
+RunStore RunStore::resume(const fs::path& dir, const RunInfo& now, const std::vector<ResolvedScenario>& scenarios) {
+  require_same_program(dir, now);
+  require_same_plan(dir, now, scenarios);
+  return open(dir, now);
 }
 
 void RunStore::append(const CellResult& cell) {
-  const std::lock_guard lock(mutex_);
-  // The cell last: once it stands there, it is finished.
-  append_text(timing_fd_, dir_ / "timing.jsonl", one_line(timing_to_json(cell)) + "\n");
-  append_text(cells_fd_, dir_ / "cells.jsonl", one_line(to_json(cell)) + "\n");
+  impl_->write([&] {
+    const long id = impl_->id_of(cell.key);
+    impl_->write_result(id, cell);
+    impl_->write_lists(id, cell);
+  });
+}
+
+void RunStore::append(const CellTiming& timing) {
+  impl_->write([&] {
+    RowBinder row(impl_->insert_timing);
+    row.add(impl_->id_of(timing.key)).add(impl_->batch);
+    for (const TimingColumn& column : kTimingColumns) row.add(timing.*column.field);
+    impl_->insert_timing.exec();
+  });
+}
+
+std::vector<CellState> RunStore::states() {
+  const std::lock_guard guard(impl_->mutex);
+  return with_database(impl_->dir / kDatabaseFile, [&] {
+    std::vector<CellState> states;
+    SQLite::Statement query(impl_->database,
+                            "SELECT outcome FROM cell LEFT JOIN result ON result.cell = cell.id ORDER BY cell.id");
+    while (query.executeStep()) {
+      const SQLite::Column outcome = query.getColumn(0);
+      states.push_back(outcome.isNull()                 ? CellState::kPending
+                       : outcome.getString() == "error" ? CellState::kError
+                                                        : CellState::kDone);
+    }
+    return states;
+  });
+}
+
+const fs::path& RunStore::dir() const noexcept {
+  return impl_->dir;
 }
 
 }  // namespace dob

@@ -1,17 +1,16 @@
 // The run directory: what was run, on what, and one row per finished cell.
 //
-//   run.json                  command line, version, machine, date, and the cells of the run in the order of its tables
-//   scenarios/NAME.toml       resolved copies of the scenarios
-//   cells.jsonl               one line per finished cell, in the order in which they ended
-//   timing.jsonl              wall times by cell, kept apart so that the lines of cells.jsonl are the same bytes in
-//                             every run
+//   run.sqlite                the planned cells in the order of the tables, results, checkpoints, shadow observers,
+//                             timings, and what computed each of them (tables: results/run_database.h)
+//   scenarios/NAME.toml       resolved copies of the scenarios, for readers; their hashes are in the database
+//   run.lock                  locked while a batch writes, so that a second one is refused
 //
-// Numbers are written so that they read back bit for bit; what is not finite is null. The same cell may stand in a
-// file twice (it was run again): the later line counts.
+// One transaction per cell. A process that is killed loses the cell it was writing, nothing else. Numbers read back
+// bit for bit; what is not finite is null. A cell that is appended again replaces what was there.
 #pragma once
 
 #include <filesystem>
-#include <mutex>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -21,12 +20,19 @@
 
 namespace dob {
 
+// From what a cell can be made again.
+struct CellSource {
+  std::string scenario;  // name of its ResolvedScenario
+  std::string observer;  // options and routing, resolved, as a profile's TOML
+};
+
 struct RunInfo {
   std::string command_line;
   std::string version, commit, build, compiler, flags;
   Machine machine;
-  std::string date;            // UTC, ISO 8601
-  std::vector<CellKey> cells;  // all that belong to the run, in the order of its tables
+  std::string date;                      // UTC, ISO 8601
+  std::vector<CellKey> cells;            // all that belong to the run, in the order of its tables
+  std::vector<CellSource> sources = {};  // of the cells, in their order; or empty
 };
 
 struct ResolvedScenario {
@@ -35,13 +41,16 @@ struct ResolvedScenario {
 };
 
 struct Run {
-  RunInfo info;
+  RunInfo info;                     // of the batch that began it
   std::vector<CellResult> cells;    // finished ones, in the order of info.cells
   std::vector<CellTiming> timings;  // of a serial pass, in the order of info.cells; not every cell has one
   std::vector<std::string> notes;   // what was odd and could be read all the same
 };
 
-// what() begins with the path, and the line where there is one.
+// What has become of a planned cell.
+enum class CellState { kPending, kDone, kError };
+
+// what() begins with the path of the file or directory.
 class StoreError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -57,8 +66,14 @@ class RunStore {
   static RunStore create_numbered(const std::filesystem::path& root, const RunInfo& info,
                                   const std::vector<ResolvedScenario>& scenarios);
 
-  // Opens a run directory to append to it. A last line that was cut short is removed.
-  static RunStore open(const std::filesystem::path& dir);
+  // Opens a run directory to append to it, by the program and machine of `now` (its cells are not looked at). Refused
+  // if version, commit, build, compiler or flags differ from those of the run: results of two programs do not make one
+  // table. Another machine is allowed, and read_run notes it.
+  static RunStore open(const std::filesystem::path& dir, const RunInfo& now);
+
+  // The same, if cells, resolved options and scenarios are those of the run as well; else says what differs.
+  static RunStore resume(const std::filesystem::path& dir, const RunInfo& now,
+                         const std::vector<ResolvedScenario>& scenarios);
 
   RunStore(const RunStore&) = delete;
   RunStore& operator=(const RunStore&) = delete;
@@ -66,25 +81,34 @@ class RunStore {
 
   // Adds one finished cell. May be called from several threads. When it throws, what was there before is intact.
   void append(const CellResult& cell);
+  void append(const CellTiming& timing);
 
-  const std::filesystem::path& dir() const noexcept { return dir_; }
+  // One for each planned cell, in their order.
+  std::vector<CellState> states();
+
+  const std::filesystem::path& dir() const noexcept;
 
  private:
-  explicit RunStore(std::filesystem::path dir);
+  struct Impl;
+  explicit RunStore(std::unique_ptr<Impl> impl);
 
-  std::filesystem::path dir_;
-  std::mutex mutex_;
-  int cells_fd_ = -1;
-  int timing_fd_ = -1;
+  std::unique_ptr<Impl> impl_;
 };
 
 // One cell, its wall time included, as one line of text and back: what a worker process sends home. cell_from_line
 // throws StoreError.
 std::string cell_to_line(const CellResult& cell);
 CellResult cell_from_line(const std::string& line);
+std::string timing_to_line(const CellTiming& timing);
+CellTiming timing_from_line(const std::string& line);
 
-// A whole run. An incomplete last line (the run was killed) is ignored and noted; any other line that cannot be read,
-// or is not of a cell of the run, is a StoreError.
+// True if there is a run in `dir`.
+bool is_run_directory(const std::filesystem::path& dir);
+
+// What was run, without the results.
+RunInfo read_run_info(const std::filesystem::path& dir);
+
+// A whole run; a batch may be writing it at the same time.
 Run read_run(const std::filesystem::path& dir);
 
 // The cells of read_run.

@@ -1,149 +1,136 @@
 #include "results/store_json.h"
 
-#include <array>
-#include <charconv>
-#include <stdexcept>
-
 #include <fmt/format.h>
 
 #include "results/metric_fields.h"
+#include "results/run_database.h"
 
 namespace dob {
 namespace {
 
-constexpr int kFormat = 1;
-constexpr std::array<std::string_view, 3> kOutcomes{"survived", "fell", "error"};
-
 Json key_to_json(const CellKey& key) {
-  return {{"scenario", key.scenario}, {"variant", key.variant},    {"observer", key.observer},
-          {"profile", key.profile},   {"gains", key.gains},        {"planner", key.planner},
-          {"seed", key.seed},         {"overrides", key.overrides}};
-}
-
-Outcome outcome_from(const std::string& name) {
-  for (std::size_t i = 0; i < kOutcomes.size(); ++i) {
-    if (kOutcomes[i] == name) return static_cast<Outcome>(i);
-  }
-  throw std::invalid_argument(fmt::format("outcome '{}', allowed: survived, fell, error", name));
-}
-
-std::uint64_t hash_from(const std::string& hex) {
-  std::uint64_t hash = 0;
-  const auto [end, error] = std::from_chars(hex.data(), hex.data() + hex.size(), hash, 16);
-  if (hex.size() != 16 || error != std::errc{} || end != hex.data() + hex.size()) {
-    throw std::invalid_argument(fmt::format("state_hash '{}', allowed: 16 hexadecimal digits", hex));
-  }
-  return hash;
-}
-
-}  // namespace
-
-Json to_json(const RunInfo& info) {
-  Json cells = Json::array();
-  for (const CellKey& key : info.cells) cells.push_back(key_to_json(key));
-  return {{"format", kFormat},
-          {"command_line", info.command_line},
-          {"version", info.version},
-          {"commit", info.commit},
-          {"build", info.build},
-          {"compiler", info.compiler},
-          {"flags", info.flags},
-          {"machine", {{"cpu", info.machine.cpu}, {"cores", info.machine.cores}, {"os", info.machine.os}}},
-          {"date", info.date},
-          {"cells", std::move(cells)}};
-}
-
-RunInfo run_info_from_json(const Json& json) {
-  if (const int format = json.at("format").get<int>(); format != kFormat) {
-    throw std::invalid_argument(fmt::format("run directory of format {}, this program reads {}", format, kFormat));
-  }
-  RunInfo info;
-  json.at("command_line").get_to(info.command_line);
-  json.at("version").get_to(info.version);
-  json.at("commit").get_to(info.commit);
-  json.at("build").get_to(info.build);
-  json.at("compiler").get_to(info.compiler);
-  json.at("flags").get_to(info.flags);
-  json.at("machine").at("cpu").get_to(info.machine.cpu);
-  json.at("machine").at("cores").get_to(info.machine.cores);
-  json.at("machine").at("os").get_to(info.machine.os);
-  json.at("date").get_to(info.date);
-  for (const Json& key : json.at("cells")) info.cells.push_back(key_from_json(key));
-  return info;
-}
-
-Json to_json(const CellResult& cell) {
-  Json json = key_to_json(cell.key);
-  json["outcome"] = kOutcomes.at(static_cast<std::size_t>(cell.outcome));
-  json["reason"] = cell.reason;
-  json["simulated_s"] = cell.simulated_s;
-  json["state_hash"] = fmt::format("{:016x}", cell.state_hash);
-  for (const MetricField& field : kMetricFields) {
-    if (field.value == nullptr) continue;
-    const std::optional<double>& value = cell.metrics.*field.value;
-    json[std::string(field.name)] = value ? Json(*value) : Json();  // what is not finite is written as null
-  }
-  json["qp_solves"] = cell.metrics.qp_solves;
-  json["qp_failures"] = cell.metrics.qp_failures;
-  json["planner_failures"] = cell.metrics.planner_failures;
-  return json;
-}
-
-Json timing_to_json(const CellResult& cell) {
-  Json json = key_to_json(cell.key);
-  json["wall_s"] = cell.wall_s;
-  return json;
+  return {key.scenario, key.variant, key.observer, key.profile, key.gains, key.planner, key.overrides, key.seed};
 }
 
 CellKey key_from_json(const Json& json) {
-  CellKey key;
-  json.at("scenario").get_to(key.scenario);
-  json.at("variant").get_to(key.variant);
-  json.at("observer").get_to(key.observer);
-  json.at("profile").get_to(key.profile);
-  json.at("gains").get_to(key.gains);
-  json.at("planner").get_to(key.planner);
-  json.at("seed").get_to(key.seed);
-  json.at("overrides").get_to(key.overrides);
-  return key;
+  return {json.at(0), json.at(1), json.at(2), json.at(3), json.at(4), json.at(5), json.at(6), json.at(7)};
 }
 
-CellResult cell_from_json(const Json& json) {
-  CellResult cell;
-  cell.key = key_from_json(json);
-  cell.outcome = outcome_from(json.at("outcome").get<std::string>());
-  json.at("reason").get_to(cell.reason);
-  json.at("simulated_s").get_to(cell.simulated_s);
-  cell.state_hash = hash_from(json.at("state_hash").get<std::string>());
-  for (const MetricField& field : kMetricFields) {
-    if (field.value == nullptr) continue;
-    const Json& value = json.at(std::string(field.name));
-    if (!value.is_null()) cell.metrics.*field.value = value.get<double>();
-  }
-  json.at("qp_solves").get_to(cell.metrics.qp_solves);
-  json.at("qp_failures").get_to(cell.metrics.qp_failures);
-  json.at("planner_failures").get_to(cell.metrics.planner_failures);
-  return cell;
+Json number_or_null(const std::optional<double>& x) {
+  return x ? Json(*x) : Json();  // what is not finite is written as null
 }
+
+std::optional<double> optional_number(const Json& json) {
+  return json.is_null() ? std::nullopt : std::optional(json.get<double>());
+}
+
+template <typename Row, typename Columns>
+Json columns_to_json(const Row& row, const Columns& columns) {
+  Json json = Json::array();
+  for (const auto& column : columns) json.push_back(number_or_null(row.*column.field));
+  return json;
+}
+
+template <typename Row, typename Columns>
+void columns_from_json(const Json& json, const Columns& columns, Row& row) {
+  for (std::size_t i = 0; i < columns.size(); ++i) row.*columns[i].field = optional_number(json.at(i));
+}
+
+Json metrics_to_json(const CellMetrics& metrics) {
+  Json json = Json::array();
+  for (const MetricField& field : kMetricFields) {
+    json.push_back(field.value != nullptr ? number_or_null(metrics.*field.value) : Json(metrics.*field.count));
+  }
+  return json;
+}
+
+CellMetrics metrics_from_json(const Json& json) {
+  CellMetrics metrics;
+  for (std::size_t i = 0; i < kMetricFields.size(); ++i) {
+    const MetricField& field = kMetricFields[i];
+    if (field.value != nullptr) {
+      metrics.*field.value = optional_number(json.at(i));
+    } else {
+      metrics.*field.count = json.at(i).get<long>();
+    }
+  }
+  return metrics;
+}
+
+}  // namespace
 
 std::string one_line(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::string cell_to_line(const CellResult& cell) {
-  Json json = to_json(cell);
-  json["wall_s"] = cell.wall_s;
-  return one_line(json);
+  Json checkpoints = Json::array(), shadows = Json::array();
+  for (const MetricsCheckpoint& c : cell.checkpoints) {
+    checkpoints.push_back({c.t, columns_to_json(c, kCheckpointColumns)});
+  }
+  for (const ShadowResult& s : cell.shadows) {
+    shadows.push_back({s.observer, s.profile, columns_to_json(s, kShadowColumns)});
+  }
+  return one_line({{"key", key_to_json(cell.key)},
+                   {"outcome", static_cast<int>(cell.outcome)},
+                   {"reason", cell.reason},
+                   {"simulated_s", cell.simulated_s},
+                   {"wall_s", cell.wall_s},
+                   {"state_hash", cell.state_hash},
+                   {"trace", cell.trace},
+                   {"qp_solves", cell.metrics.qp_solves},
+                   {"metrics", metrics_to_json(cell.metrics)},
+                   {"checkpoints", checkpoints},
+                   {"shadows", shadows}});
 }
 
 CellResult cell_from_line(const std::string& line) {
   try {
     const Json json = Json::parse(line);
-    CellResult cell = cell_from_json(json);
+    CellResult cell;
+    cell.key = key_from_json(json.at("key"));
+    cell.outcome = static_cast<Outcome>(json.at("outcome").get<int>());
+    json.at("reason").get_to(cell.reason);
+    json.at("simulated_s").get_to(cell.simulated_s);
     json.at("wall_s").get_to(cell.wall_s);
+    json.at("state_hash").get_to(cell.state_hash);
+    json.at("trace").get_to(cell.trace);
+    cell.metrics = metrics_from_json(json.at("metrics"));
+    json.at("qp_solves").get_to(cell.metrics.qp_solves);
+    for (const Json& c : json.at("checkpoints")) {
+      MetricsCheckpoint& checkpoint = cell.checkpoints.emplace_back();
+      c.at(0).get_to(checkpoint.t);
+      columns_from_json(c.at(1), kCheckpointColumns, checkpoint);
+    }
+    for (const Json& s : json.at("shadows")) {
+      ShadowResult& shadow = cell.shadows.emplace_back();
+      s.at(0).get_to(shadow.observer);
+      s.at(1).get_to(shadow.profile);
+      columns_from_json(s.at(2), kShadowColumns, shadow);
+    }
     return cell;
   } catch (const std::exception& error) {
     throw StoreError(fmt::format("a cell's line cannot be read: {}", error.what()));
+  }
+}
+
+std::string timing_to_line(const CellTiming& timing) {
+  Json json = Json::array();
+  json.push_back(key_to_json(timing.key));
+  for (const TimingColumn& column : kTimingColumns) json.push_back(timing.*column.field);
+  return one_line(json);
+}
+
+CellTiming timing_from_line(const std::string& line) {
+  try {
+    const Json json = Json::parse(line);
+    CellTiming timing;
+    timing.key = key_from_json(json.at(0));
+    for (std::size_t i = 0; i < kTimingColumns.size(); ++i)
+      timing.*kTimingColumns[i].field = json.at(i + 1).get<double>();
+    return timing;
+  } catch (const std::exception& error) {
+    throw StoreError(fmt::format("a cell's timing cannot be read: {}", error.what()));
   }
 }
 

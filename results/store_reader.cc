@@ -1,86 +1,179 @@
-#include <fstream>
-#include <functional>
+#include <charconv>
 #include <map>
-#include <optional>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "results/metric_fields.h"
+#include "results/run_database.h"
+#include "results/run_plan.h"
 #include "results/store.h"
-#include "results/store_json.h"
 
 namespace dob {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::ifstream open_file(const fs::path& path) {
-  std::error_code error;
-  std::ifstream in(path, std::ios::binary);
-  if (!in || fs::is_directory(path, error)) throw StoreError(path.string() + ": cannot be read");
-  return in;
+Outcome outcome_from(const std::string& name) {
+  for (std::size_t i = 0; i < kOutcomes.size(); ++i) {
+    if (kOutcomes[i] == name) return static_cast<Outcome>(i);
+  }
+  throw std::invalid_argument(fmt::format("outcome '{}', allowed: {}", name, fmt::join(kOutcomes, ", ")));
 }
 
-RunInfo read_info(const fs::path& dir) {
-  std::error_code error;
-  if (!fs::is_directory(dir, error)) throw StoreError(dir.string() + ": no such directory");
-  const fs::path path = dir / "run.json";
-  if (!fs::exists(path, error)) {
-    throw StoreError(dir.string() + ": is not a run directory (it has no run.json)");
+std::uint64_t hash_from(const std::string& hex) {
+  std::uint64_t hash = 0;
+  const auto [end, error] = std::from_chars(hex.data(), hex.data() + hex.size(), hash, 16);
+  if (hex.size() != 16 || error != std::errc{} || end != hex.data() + hex.size()) {
+    throw std::invalid_argument(fmt::format("state_hash '{}', allowed: 16 hexadecimal digits", hex));
   }
-  std::ifstream in = open_file(path);
-  try {
-    return run_info_from_json(Json::parse(in));
-  } catch (const std::exception& e) {
-    throw StoreError(fmt::format("{}: {}", path.string(), e.what()));
-  }
+  return hash;
 }
 
-// Calls `use` with every complete line. A file that is not there has no lines.
-void for_each_line(const fs::path& path, std::vector<std::string>& notes, const std::function<void(const Json&)>& use) {
-  std::error_code error;
-  if (!fs::exists(path, error)) return;
-  std::ifstream in = open_file(path);
-  std::string line;
-  for (int number = 1; std::getline(in, line); ++number) {
-    const std::string place = fmt::format("{}:{}: ", path.string(), number);
-    if (in.eof()) {  // no line end: it was cut short
-      notes.push_back(place + "incomplete last line ignored; the run was interrupted there");
-      return;
+std::optional<double> number_or_null(const SQLite::Statement& row, int column) {
+  const SQLite::Column value = row.getColumn(column);
+  if (value.isNull()) return std::nullopt;
+  if (!value.isFloat() && !value.isInteger()) {
+    throw std::invalid_argument(fmt::format("{} '{}', allowed: a number", value.getName(), value.getString()));
+  }
+  return value.getDouble();
+}
+
+double number(const SQLite::Statement& row, int column) {
+  const std::optional<double> value = number_or_null(row, column);
+  return value ? *value : 0.0;  // it was not finite
+}
+
+// Reads the tables of one run.
+class Reader {
+ public:
+  explicit Reader(SQLite::Database& database) : database_(database) {}
+
+  Run read() {
+    const SQLite::Transaction one_state_of_it(database_);
+    run_.info = read_info(database_);
+    read_results();
+    read_checkpoints();
+    read_shadows();
+    read_timings();
+    note_machines();
+    return std::move(run_);
+  }
+
+ private:
+  std::set<std::string> columns_of(const std::string& table) {
+    std::set<std::string> columns;
+    SQLite::Statement query(database_, "SELECT name FROM pragma_table_info(?)");
+    query.bind(1, table);
+    while (query.executeStep()) columns.insert(query.getColumn(0).getString());
+    return columns;
+  }
+
+  const CellKey& key_of(const SQLite::Statement& row) const {
+    return run_.info.cells.at(static_cast<std::size_t>(row.getColumn(0).getInt64() - 1));
+  }
+
+  // A metric that was not measured yet when the run was made has no column there.
+  void read_results() {
+    const std::set<std::string> there = columns_of("result");
+    std::vector<std::string> columns = result_columns();
+    for (std::string& column : columns) {
+      if (there.count(column) > 0) continue;
+      run_.notes.push_back(fmt::format("{}: not recorded when the run was made", column));
+      column = "NULL";
     }
-    try {
-      use(Json::parse(line));
-    } catch (const std::exception& e) {
-      throw StoreError(place + e.what());
+    SQLite::Statement row(database_, fmt::format("SELECT {} FROM result ORDER BY cell", fmt::join(columns, ", ")));
+    while (row.executeStep()) {
+      place_[row.getColumn(0).getInt64()] = run_.cells.size();
+      run_.cells.push_back(result_of(row));
     }
   }
-}
+
+  CellResult result_of(const SQLite::Statement& row) const {
+    CellResult cell;
+    cell.key = key_of(row);
+    cell.outcome = outcome_from(row.getColumn(2).getString());
+    cell.reason = row.getColumn(3).getString();
+    cell.simulated_s = number(row, 4);
+    cell.wall_s = number(row, 5);
+    cell.state_hash = hash_from(row.getColumn(6).getString());
+    cell.trace = row.getColumn(7).getString();
+    cell.metrics.qp_solves = row.getColumn(8).getInt64();
+    for (int column = 9; const MetricField& field : kMetricFields) {
+      if (field.value != nullptr) {
+        cell.metrics.*field.value = number_or_null(row, column);
+      } else {
+        cell.metrics.*field.count = row.getColumn(column).getInt64();
+      }
+      ++column;
+    }
+    return cell;
+  }
+
+  CellResult& cell_of(const SQLite::Statement& row) { return run_.cells.at(place_.at(row.getColumn(0).getInt64())); }
+
+  template <typename Columns>
+  SQLite::Statement select(std::string_view table, const std::vector<std::string>& head, const Columns& columns,
+                           std::string_view order) {
+    return {database_,
+            fmt::format("SELECT {} FROM {} ORDER BY {}", fmt::join(with_columns(head, columns), ", "), table, order)};
+  }
+
+  void read_checkpoints() {
+    SQLite::Statement row = select("checkpoint", {"cell", "t_s"}, kCheckpointColumns, "cell, number");
+    while (row.executeStep()) {
+      MetricsCheckpoint& checkpoint = cell_of(row).checkpoints.emplace_back();
+      checkpoint.t = number(row, 1);
+      for (int i = 2; const CheckpointColumn& column : kCheckpointColumns) {
+        checkpoint.*column.field = number_or_null(row, i++);
+      }
+    }
+  }
+
+  void read_shadows() {
+    SQLite::Statement row = select("shadow", {"cell", "observer", "profile"}, kShadowColumns, "cell, number");
+    while (row.executeStep()) {
+      ShadowResult& shadow = cell_of(row).shadows.emplace_back();
+      shadow.observer = row.getColumn(1).getString();
+      shadow.profile = row.getColumn(2).getString();
+      for (int i = 3; const ShadowColumn& column : kShadowColumns) shadow.*column.field = number_or_null(row, i++);
+    }
+  }
+
+  void read_timings() {
+    SQLite::Statement row = select("timing", {"cell"}, kTimingColumns, "cell");
+    while (row.executeStep()) {
+      CellTiming& timing = run_.timings.emplace_back();
+      timing.key = key_of(row);
+      for (int i = 1; const TimingColumn& column : kTimingColumns) timing.*column.field = number(row, i++);
+    }
+  }
+
+  // Arithmetic may differ in the last bit between processors.
+  void note_machines() {
+    SQLite::Statement row(database_,
+                          "SELECT DISTINCT cpu FROM batch WHERE id IN (SELECT batch FROM result) ORDER BY cpu");
+    std::vector<std::string> cpus;
+    while (row.executeStep()) cpus.push_back(row.getColumn(0).getString());
+    if (cpus.size() > 1) run_.notes.push_back(fmt::format("computed on several machines: {}", fmt::join(cpus, "; ")));
+  }
+
+  SQLite::Database& database_;
+  Run run_;
+  std::map<std::int64_t, std::size_t> place_;  // cell -> index into run_.cells
+};
 
 }  // namespace
 
 Run read_run(const fs::path& dir) {
-  Run run;
-  run.info = read_info(dir);
-  std::map<CellKey, std::optional<CellResult>> cells;
-  for (const CellKey& key : run.info.cells) cells.emplace(key, std::nullopt);
-  const auto slot = [&](const CellKey& key) -> std::optional<CellResult>& {
-    const auto found = cells.find(key);
-    if (found == cells.end()) throw std::invalid_argument("a cell that run.json does not name");
-    return found->second;
-  };
-  for_each_line(dir / "cells.jsonl", run.notes, [&](const Json& json) {
-    CellResult cell = cell_from_json(json);
-    slot(cell.key) = cell;
-  });
-  for_each_line(dir / "timing.jsonl", run.notes, [&](const Json& json) {
-    std::optional<CellResult>& cell = slot(key_from_json(json));
-    if (cell) json.at("wall_s").get_to(cell->wall_s);
-  });
-  for (const CellKey& key : run.info.cells) {
-    std::optional<CellResult> cell = std::exchange(cells.at(key), std::nullopt);
-    if (cell) run.cells.push_back(*std::move(cell));
+  SQLite::Database database = open_database(dir);
+  try {
+    return Reader(database).read();
+  } catch (const std::exception& error) {  // SQLite's, or a value that is not what it should be
+    throw StoreError(fmt::format("{}: {}", (dir / kDatabaseFile).string(), error.what()));
   }
-  return run;
 }
 
 std::vector<CellResult> read_cells(const fs::path& dir) {

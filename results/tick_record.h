@@ -9,8 +9,11 @@ namespace dob {
 // Filled by the trial at time t, after the step [t, t + dt] has been simulated: state and references at t, torques and
 // ground reaction forces of the step that follows.
 struct TickRecord {
-  double t = 0.0;                   // [s]
-  Vec3 com, com_reference;          // [m] the planner's current reference
+  double t = 0.0;                                                      // [s]
+  Vec3 com, com_reference;                                             // [m] the planner's current reference
+  Vec3 trunk = Vec3::Zero();                                           // [m] origin of B
+  Eigen::Quaterniond trunk_rotation = Eigen::Quaterniond::Identity();  // from B to W
+  Vec12 joint_angle = Vec12::Zero();                                   // [rad]
   Vec2 path_position;               // [m] where the commanded path says the CoM should be, never re-planned
   double orientation_error = 0.0;   // [rad] norm of the rotation vector between reference and trunk
   PerLeg<Vec3> foot;                // [m]
@@ -29,6 +32,8 @@ struct TickRecord {
   PerLeg<bool> touchdown{};        // the foot landed at this tick
   bool disturbance_onset = false;  // the set of acting disturbances changed at this tick (begin, end, new draw)
   bool disturbance_active = false;
+  int applied_forces = 0;  // disturbances that act over the step; the first of them:
+  Vec3 applied_point = Vec3::Zero(), applied_force = Vec3::Zero();  // [m], [N]; zero while none acts
   Vec12 foot_force_commanded;  // [N] of the held QP solution, zero for swinging feet
   Vec12 foot_force;            // [N] ground reaction forces measured over the step
   PerLeg<Vec3> slip{};         // [m] tangential displacement of the touching foot during the step

@@ -1,69 +1,25 @@
 // The program as a user starts it: exit codes, messages, what is written.
+#include "test/bench/command_line.h"
+
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <set>
-#include <sstream>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "results/store.h"
+
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Answer {
-  int exit_code = -1;
-  std::string out, err;
-};
-
-std::string read(const fs::path& file) {
-  std::ifstream in(file);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-class CommandLine : public ::testing::Test {
- protected:
-  fs::path dir = fs::temp_directory_path() / ("dobbench_cli_" + std::to_string(::getpid()));
-
-  void SetUp() override { fs::create_directories(dir); }
-  void TearDown() override { fs::remove_all(dir); }
-
-  Answer dobbench(const std::string& arguments) const {
-    const fs::path err = dir / "stderr";
-    const std::string command =
-        "cd '" + dir.string() + "' && '" DOBBENCH "' " + arguments + " 2>'" + err.string() + "'";
-    Answer answer;
-    FILE* pipe = ::popen(command.c_str(), "r");
-    std::array<char, 4096> buffer{};
-    for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
-      answer.out.append(buffer.data(), n);
-    }
-    answer.exit_code = WEXITSTATUS(::pclose(pipe));
-    answer.err = read(err);
-    fs::remove(err);
-    return answer;
-  }
-
-  // Bad input: exit code 2, one line that holds every given part, nothing on stdout, nothing written.
-  void expect_refused(const std::string& arguments, const std::vector<std::string>& parts) const {
-    const Answer answer = dobbench(arguments);
-    EXPECT_EQ(answer.exit_code, 2) << arguments;
-    EXPECT_EQ(answer.out, "") << arguments;
-    EXPECT_EQ(std::count(answer.err.begin(), answer.err.end(), '\n'), 1) << answer.err;
-    for (const std::string& part : parts)
-      EXPECT_NE(answer.err.find(part), std::string::npos) << part << ": " << answer.err;
-    EXPECT_FALSE(fs::exists(dir / "dobbench-results")) << arguments;
-  }
-};
+using dob::test::Answer;
+using dob::test::CommandLine;
+using dob::test::read;
 
 TEST_F(CommandLine, BadInputIsRefusedWithItsPlaceAndNothingIsWritten) {
   expect_refused("run nonsense", {"nonsense", "undisturbed"});
@@ -168,10 +124,9 @@ TEST_F(CommandLine, TheTableDoesNotDependOnTheNumberOfJobs) {
   EXPECT_EQ(rows[0]["runs"], 2);
   // The same state hashes, cell by cell.
   const auto hashes = [this](const char* run) {
-    std::set<std::string> lines;
-    std::istringstream cells(read(dir / run / "cells.jsonl"));
-    for (std::string line; std::getline(cells, line);) lines.insert(line);
-    return lines;
+    std::map<dob::CellKey, std::uint64_t> hash;
+    for (const dob::CellResult& cell : dob::read_cells(dir / run)) hash[cell.key] = cell.state_hash;
+    return hash;
   };
   EXPECT_EQ(hashes("one").size(), 12U);
   EXPECT_EQ(hashes("one"), hashes("three"));
@@ -194,17 +149,18 @@ TEST_F(CommandLine, ARunIsAskedAboutEveryClaim) {
 TEST_F(CommandLine, ARunDirectoryHoldsWhatIsNeededToRunItAgain) {
   ASSERT_EQ(dobbench("run case1/knee_lateral --observer none --set duration_s=0.5 --log csv").exit_code, 0);
   const fs::path run = dir / "dobbench-results" / "0001";
-  const auto info = nlohmann::json::parse(read(run / "run.json"));
-  EXPECT_NE(info["command_line"].get<std::string>().find("case1/knee_lateral"), std::string::npos);
-  for (const char* key : {"version", "commit", "compiler", "machine", "date"}) EXPECT_TRUE(info.contains(key)) << key;
+  const dob::RunInfo info = dob::read_run_info(run);
+  EXPECT_NE(info.command_line.find("case1/knee_lateral"), std::string::npos);
+  for (const std::string& text : {info.version, info.commit, info.compiler, info.machine.cpu, info.date}) {
+    EXPECT_NE(text, "");
+  }
+  EXPECT_NE(info.sources.at(0).scenario, "");
   int scenarios = 0;
   for (const auto& file : fs::directory_iterator(run / "scenarios")) {
     ++scenarios;
     const Answer again = dobbench("run '" + file.path().string() + "' --observer none --out again");
     EXPECT_EQ(again.exit_code, 0) << again.err;
-    const auto first = nlohmann::json::parse(read(run / "cells.jsonl"));
-    const auto second = nlohmann::json::parse(read(dir / "again" / "cells.jsonl"));
-    EXPECT_EQ(first["state_hash"], second["state_hash"]);
+    EXPECT_EQ(dob::read_cells(run).at(0).state_hash, dob::read_cells(dir / "again").at(0).state_hash);
   }
   EXPECT_EQ(scenarios, 1);
   int logs = 0;

@@ -1,5 +1,9 @@
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <array>
 #include <csignal>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +16,6 @@ namespace {
 
 using test::append_text;
 using test::key;
-using test::read_text;
 using test::store_error;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -25,6 +28,11 @@ class StoreFaultsTest : public ::testing::Test {
   CellResult a = test::survived(key("s", "", "a", "-", 1), 1.0);
   CellResult b = test::survived(key("s", "", "b", "-", 1), 2.0);
 
+  std::filesystem::path database() const { return dir / "run.sqlite"; }
+  void execute(const std::string& sql) const {
+    SQLite::Database(database().string(), SQLite::OPEN_READWRITE).exec(sql);
+  }
+
   // A run of the cells a and b of which a is finished.
   void make_run() const {
     RunStore store = RunStore::create(dir, test::run_of({a, b}).info, {});
@@ -32,78 +40,118 @@ class StoreFaultsTest : public ::testing::Test {
   }
 };
 
-TEST_F(StoreFaultsTest, TornLastLineIsIgnoredWithANote) {
+TEST_F(StoreFaultsTest, WhatIsNotAsItShouldBeIsNamed) {
   make_run();
-  append_text(dir / "cells.jsonl", R"({"scenario":"s","vari)");
-  const auto run = read_run(dir);
-  EXPECT_EQ(run.cells.size(), 1U);
-  ASSERT_EQ(run.notes.size(), 1U);
-  EXPECT_THAT(run.notes[0], AllOf(StartsWith((dir / "cells.jsonl").string() + ":2: "), HasSubstr("incomplete")));
-}
-
-TEST_F(StoreFaultsTest, LastLineThatLacksOnlyItsEndIsTornToo) {
-  make_run();
-  std::string text = read_text(dir / "cells.jsonl");
-  std::filesystem::resize_file(dir / "cells.jsonl", text.size() - 1);
-  EXPECT_TRUE(read_run(dir).cells.empty());
-  EXPECT_EQ(read_run(dir).notes.size(), 1U);
-}
-
-TEST_F(StoreFaultsTest, OpeningRemovesATornLineSoThatTheNextOneIsWhole) {
-  make_run();
-  const std::string before = read_text(dir / "cells.jsonl");
-  append_text(dir / "cells.jsonl", R"({"scenario":"s","vari)");
-  append_text(dir / "timing.jsonl", "{");
-  { const RunStore store = RunStore::open(dir); }
-  EXPECT_EQ(read_text(dir / "cells.jsonl"), before);
-  RunStore::open(dir).append(b);
-  const auto run = read_run(dir);
-  EXPECT_EQ(run.cells.size(), 2U);
-  EXPECT_TRUE(run.notes.empty());
-}
-
-TEST_F(StoreFaultsTest, WholeLineThatCannotBeReadIsAnErrorWithItsPlace) {
-  make_run();
-  append_text(dir / "cells.jsonl", "{\"scenario\":\"s\"}\n");
-  EXPECT_THAT(store_error([&] { read_run(dir); }),
-              AllOf(StartsWith((dir / "cells.jsonl").string() + ":2: "), HasSubstr("variant")));
-}
-
-TEST_F(StoreFaultsTest, LinesInTheMiddleAreNotForgiven) {
-  make_run();
-  append_text(dir / "cells.jsonl", "{\"scenario\":\n{}\n");
-  EXPECT_THAT(store_error([&] { read_run(dir); }), StartsWith((dir / "cells.jsonl").string() + ":2: "));
-}
-
-TEST_F(StoreFaultsTest, WrongOutcomeOrHashIsNamed) {
-  make_run();
-  std::string line = read_text(dir / "cells.jsonl");
-  const auto with = [&](const std::string& from, const std::string& to) {
-    std::string changed = line;
-    changed.replace(changed.find(from), from.size(), to);
-    std::ofstream(dir / "cells.jsonl") << changed;
-    return store_error([&] { read_run(dir); });
+  const auto with = [&](const std::string& change, const std::string& back) {
+    execute(change);
+    const std::string error = store_error([&] { read_run(dir); });
+    execute(back);
+    return error;
   };
-  EXPECT_THAT(with("survived", "ascended"), HasSubstr("outcome 'ascended', allowed: survived, fell, error"));
-  EXPECT_THAT(with("0000000000000000", "00000000000000zz"), HasSubstr("state_hash '00000000000000zz'"));
-  EXPECT_THAT(with("46.0", "\"long\""), HasSubstr("must be number"));
+  EXPECT_THAT(with("UPDATE result SET outcome = 'ascended'", "UPDATE result SET outcome = 'survived'"),
+              AllOf(StartsWith(database().string() + ": "), HasSubstr("outcome 'ascended', allowed: survived")));
+  EXPECT_THAT(with("UPDATE result SET state_hash = '00zz'", "UPDATE result SET state_hash = '0000000000000000'"),
+              HasSubstr("state_hash '00zz'"));
+  EXPECT_THAT(with("UPDATE result SET simulated_s = 'long'", "UPDATE result SET simulated_s = 46.0"),
+              HasSubstr("simulated_s 'long', allowed: a number"));
+  EXPECT_EQ(read_run(dir).cells.size(), 1U);
 }
 
 TEST_F(StoreFaultsTest, CellOfAnotherRunIsRefused) {
   make_run();
-  RunStore::open(dir).append(test::survived(key("s", "", "stranger", "-", 1), 1.0));
-  EXPECT_THAT(store_error([&] { read_run(dir); }), HasSubstr("a cell that run.json does not name"));
+  const CellResult stranger = test::survived(key("s", "", "stranger", "-", 1), 1.0);
+  EXPECT_THAT(store_error([&] { RunStore::open(dir, {}).append(stranger); }),
+              HasSubstr("a cell that does not belong to the run"));
+}
+
+TEST_F(StoreFaultsTest, AMetricThatWasNotRecordedThenIsMissingWithANote) {
+  make_run();
+  execute("ALTER TABLE result DROP COLUMN slip_max_m");
+  const auto run = read_run(dir);
+  EXPECT_EQ(run.cells.at(0).metrics.slip_max_m, std::nullopt);
+  EXPECT_EQ(run.cells.at(0).metrics.com_error_max_m, 1.0);
+  ASSERT_EQ(run.notes.size(), 1U);
+  EXPECT_THAT(run.notes[0], HasSubstr("slip_max_m: not recorded"));
 }
 
 TEST_F(StoreFaultsTest, MissingForeignOrDamagedDirectoriesAreToldApart) {
   EXPECT_EQ(store_error([&] { read_run(dir); }), dir.string() + ": no such directory");
   EXPECT_THAT(store_error([&] { read_run(temporary.path()); }), HasSubstr("is not a run directory"));
-  EXPECT_THAT(store_error([&] { RunStore::open(temporary.path()); }), HasSubstr("is not a run directory"));
+  EXPECT_THAT(store_error([&] { RunStore::open(temporary.path(), {}); }), HasSubstr("is not a run directory"));
   make_run();
-  std::ofstream(dir / "run.json") << "{\"format\": 1";
-  EXPECT_THAT(store_error([&] { read_run(dir); }), AllOf(StartsWith((dir / "run.json").string()), HasSubstr("line 1")));
-  std::ofstream(dir / "run.json") << "{\"format\": 2}";
-  EXPECT_THAT(store_error([&] { read_run(dir); }), HasSubstr("format 2, this program reads 1"));
+  std::filesystem::resize_file(database(), std::filesystem::file_size(database()) / 2);
+  EXPECT_THAT(store_error([&] { read_run(dir); }), AllOf(StartsWith(database().string()), HasSubstr("malformed")));
+  std::ofstream(database()) << "years of work in another format, as long as the head of a database file, and longer..."
+                               "................................................................................";
+  EXPECT_THAT(store_error([&] { read_run(dir); }), HasSubstr("file is not a database"));
+  std::filesystem::remove(database());
+  SQLite::Database(database().string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE).exec("CREATE TABLE t(x)");
+  EXPECT_THAT(store_error([&] { read_run(dir); }), HasSubstr("is not the database of a run"));
+}
+
+TEST_F(StoreFaultsTest, AStoreOfAnotherVersionIsRefusedWithTheReason) {
+  make_run();
+  execute("PRAGMA user_version = 2");
+  EXPECT_THAT(store_error([&] { read_run(dir); }),
+              HasSubstr("store of version 2, this program reads version 1: it was written by a newer dobbench"));
+  execute("PRAGMA user_version = 0");
+  EXPECT_THAT(store_error([&] { RunStore::open(dir, {}); }),
+              HasSubstr("version 0, this program reads version 1: it was "
+                        "written by an older dobbench"));
+}
+
+// A process that begins a transaction, writes, and is killed before its end. Its journal stays behind.
+TEST_F(StoreFaultsTest, TheTransactionOfAKilledProcessIsRolledBack) {
+  make_run();
+  const pid_t child = ::fork();
+  if (child == 0) {
+    SQLite::Database mine(database().string(), SQLite::OPEN_READWRITE);
+    mine.exec(
+        "PRAGMA cache_size = 1; PRAGMA cache_spill = 1; BEGIN IMMEDIATE; UPDATE result SET reason = "
+        "hex(zeroblob(1000000));");  // more than its cache: it reaches the file
+    ::raise(SIGKILL);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFSIGNALED(status));
+  ASSERT_TRUE(std::filesystem::exists(database().string() + "-journal"));
+  EXPECT_EQ(read_run(dir).cells.at(0).reason, "");
+  RunStore::open(dir, {}).append(b);
+  EXPECT_EQ(read_cells(dir).size(), 2U);
+}
+
+TEST_F(StoreFaultsTest, ASecondProcessThatWritesTheSameRunIsRefusedUntilTheFirstHasEnded) {
+  make_run();
+  std::array<int, 2> ready{};
+  ASSERT_EQ(::pipe(ready.data()), 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const RunStore store = RunStore::open(dir, {});
+    if (::write(ready[1], "x", 1) != 1) ::_exit(1);
+    ::pause();
+  }
+  char byte = 0;
+  ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+  EXPECT_THAT(store_error([&] { RunStore::open(dir, {}); }),
+              HasSubstr("another batch (process " + std::to_string(child) + ") is writing it"));
+  EXPECT_EQ(read_cells(dir).size(), 1U);  // readers are welcome
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  ::close(ready[0]);
+  ::close(ready[1]);
+  RunStore::open(dir, {}).append(b);
+  EXPECT_EQ(read_cells(dir).size(), 2U);
+}
+
+TEST_F(StoreFaultsTest, ADirectoryWhoseMakingWasCutShortIsMadeAnew) {
+  std::filesystem::create_directories(dir / "scenarios");
+  append_text(dir / "run.lock", "");
+  append_text(dir / "run.sqlite.part", "half a database");
+  append_text(dir / "scenarios/old.toml", "");
+  RunStore::create(dir, test::run_of({a}).info, {}).append(a);
+  EXPECT_EQ(read_cells(dir).size(), 1U);
+  EXPECT_FALSE(std::filesystem::exists(dir / "run.sqlite.part"));
+  EXPECT_FALSE(std::filesystem::exists(dir / "scenarios/old.toml"));
 }
 
 TEST_F(StoreFaultsTest, DirectoryInUseIsNotOverwritten) {
@@ -160,14 +208,14 @@ class FileSizeLimit {
 TEST_F(StoreFaultsTest, FullDiskLeavesWhatWasThereIntact) {
   RunStore store = RunStore::create(dir, test::run_of({a, b}).info, {});
   store.append(a);
-  const std::string before = read_text(dir / "cells.jsonl");
+  b.reason = std::string(1'000'000, 'x');
   std::string error;
   {
-    const FileSizeLimit limit(before.size() + 10);  // room for a part of the next line only
+    const FileSizeLimit limit(std::filesystem::file_size(database()) + 8192);  // room for a part of it only
     error = store_error([&] { store.append(b); });
   }
-  EXPECT_THAT(error, AllOf(StartsWith((dir / "cells.jsonl").string()), HasSubstr("cannot write")));
-  EXPECT_EQ(read_text(dir / "cells.jsonl"), before);
+  EXPECT_THAT(error, StartsWith(database().string() + ": "));
+  EXPECT_EQ(read_cells(dir).size(), 1U);
   store.append(b);
   EXPECT_EQ(read_cells(dir).size(), 2U);
 }

@@ -1,14 +1,16 @@
 #include "results/store.h"
 
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <bit>
+#include <cmath>
 #include <limits>
 #include <random>
 #include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
+#include "results/fingerprint.h"
 #include "results/metric_fields.h"
 #include "test/results/run_samples.h"
 
@@ -110,37 +112,119 @@ TEST_F(StoreTest, CellsReadBackBitForBit) {
   }
 }
 
-TEST_F(StoreTest, LineOfACellIsPlainJsonWithTheHashInHexAndNoWallTime) {
-  CellResult cell = test::survived(key("case1", "knee", "none", "-", 3), 0.0125);
-  cell.state_hash = 0xABCDEF;
-  cell.wall_s = 2.5;
-  RunStore store = RunStore::create(dir, test::run_of({cell}).info, {});
-  store.append(cell);
-  EXPECT_EQ(read_text(dir / "cells.jsonl"),
-            R"({"scenario":"case1","variant":"knee","observer":"none","profile":"-","gains":"paper",)"
-            R"("planner":"spline","seed":3,"overrides":"","outcome":"survived","reason":"","simulated_s":46.0,)"
-            R"("state_hash":"0000000000abcdef","com_error_max_m":0.0125,"com_error_rms_m":null,)"
-            R"("com_error_p99_m":null,"path_error_max_m":null,"foot_error_max_m":null,"foot_error_p99_m":null,)"
-            R"("foot_error_onset_max_m":null,"foot_error_stance_max_m":null,"foothold_error_max_m":null,)"
-            R"("grf_error_mean_N":null,"estimate_rmse_N":null,"joint_estimate_rmse_Nm":null,)"
-            R"("orientation_error_max_rad":null,"torque_saturation_ratio":null,"slip_max_m":null,)"
-            R"("estimate_offset_Nm":null,"estimate_overshoot":null,"estimate_settling_s":null,)"
-            R"("com_error_swing_max_m":null,"com_error_stance_max_m":null,"com_peak_before_m":null,)"
-            R"("com_peak_push_m":null,"com_peak_recovery_m":null,)"
-            R"("foot_peak_push_m":null,"foot_peak_rest_m":null,)"
-            R"("qp_solves":0,"qp_failures":0,"planner_failures":0})"
-            "\n");
-  EXPECT_THAT(read_text(dir / "timing.jsonl"), HasSubstr(R"("seed":3,"overrides":"","wall_s":2.5})"));
-}
-
 TEST_F(StoreTest, WhatIsNotFiniteIsNull) {
   CellResult cell = test::survived(key("s", "", "o", "-", 1), std::numeric_limits<double>::infinity());
   cell.metrics.slip_max_m = std::numeric_limits<double>::quiet_NaN();
   RunStore store = RunStore::create(dir, test::run_of({cell}).info, {});
   store.append(cell);
-  EXPECT_THAT(read_text(dir / "cells.jsonl"), HasSubstr(R"("com_error_max_m":null)"));
   EXPECT_EQ(read_cells(dir).at(0).metrics.com_error_max_m, std::nullopt);
   EXPECT_EQ(read_cells(dir).at(0).metrics.slip_max_m, std::nullopt);
+}
+
+// Checkpoints and shadow observers with some fields set and some not.
+CellResult cell_with_lists() {
+  CellResult cell = test::survived(key("case1", "knee", "momentum", "paper", 1), 0.1);
+  cell.trace = "traces/0001.dobtrace";
+  for (int i = 1; i <= 50; ++i) {
+    cell.checkpoints.push_back({.t = 0.1 * i, .com_error_max_m = 1.0 / i, .grf_error_mean_N = -0.0});
+  }
+  cell.shadows.push_back({.observer = "com_wrench", .profile = "tuned", .com_force_rmse_N = 0.1 + 0.2});
+  cell.shadows.push_back({.observer = "none", .profile = "-"});
+  return cell;
+}
+
+void expect_same_lists(const CellResult& back, const CellResult& cell) {
+  EXPECT_EQ(back.trace, cell.trace);
+  ASSERT_EQ(back.checkpoints.size(), cell.checkpoints.size());
+  for (std::size_t i = 0; i < cell.checkpoints.size(); ++i) {
+    EXPECT_EQ(back.checkpoints[i].t, cell.checkpoints[i].t);
+    EXPECT_EQ(back.checkpoints[i].com_error_max_m, cell.checkpoints[i].com_error_max_m);
+    EXPECT_EQ(back.checkpoints[i].com_error_rms_m, std::nullopt);
+    EXPECT_TRUE(std::signbit(*back.checkpoints[i].grf_error_mean_N));
+  }
+  ASSERT_EQ(back.shadows.size(), cell.shadows.size());
+  EXPECT_EQ(back.shadows[0].observer, "com_wrench");
+  EXPECT_EQ(back.shadows[0].profile, "tuned");
+  EXPECT_EQ(back.shadows[0].com_force_rmse_N, 0.1 + 0.2);
+  EXPECT_EQ(back.shadows[0].estimate_rmse_N, std::nullopt);
+  EXPECT_EQ(back.shadows[1].observer, "none");
+}
+
+TEST_F(StoreTest, CheckpointsAndShadowObserversReadBack) {
+  const CellResult cell = cell_with_lists();
+  RunStore store = RunStore::create(dir, test::run_of({cell}).info, {});
+  store.append(cell);
+  expect_same_lists(read_cells(dir).at(0), cell);
+  store.append(cell);  // again: replaced, not added to
+  expect_same_lists(read_cells(dir).at(0), cell);
+}
+
+TEST_F(StoreTest, AWorkersLineReadsBack) {
+  CellResult cell = cell_with_lists();
+  cell.outcome = Outcome::kFell;
+  cell.reason = "trunk \"low\"";
+  cell.state_hash = 0xFEDCBA9876543210ULL;
+  cell.wall_s = 0.1;
+  cell.metrics.qp_failures = 3;
+  const std::string line = cell_to_line(cell);
+  EXPECT_EQ(line.find('\n'), std::string::npos);
+  const CellResult back = cell_from_line(line);
+  expect_same_lists(back, cell);
+  EXPECT_EQ(back.key, cell.key);
+  EXPECT_EQ(back.outcome, cell.outcome);
+  EXPECT_EQ(back.reason, cell.reason);
+  EXPECT_EQ(back.state_hash, cell.state_hash);
+  EXPECT_EQ(back.wall_s, cell.wall_s);
+  EXPECT_EQ(back.metrics.com_error_max_m, cell.metrics.com_error_max_m);
+  EXPECT_EQ(back.metrics.qp_failures, 3);
+  EXPECT_THAT(test::store_error([&] { cell_from_line(line.substr(1)); }), HasSubstr("cannot be read"));
+}
+
+TEST_F(StoreTest, TimingsReadBackInTheOrderOfTheRunAndTheLastOneCounts) {
+  const CellKey a = key("s", "", "a", "-", 1), b = key("s", "", "b", "-", 1);
+  RunStore store = RunStore::create(dir, info_of({a, b}), {});
+  store.append(CellTiming{b, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0});
+  store.append(CellTiming{a, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0});
+  store.append(timing_from_line(timing_to_line({a, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6})));
+  const std::vector<CellTiming> timings = read_run(dir).timings;
+  ASSERT_EQ(timings.size(), 2U);
+  EXPECT_EQ(timings[0].key, a);
+  EXPECT_EQ(timings[0].tick_p50_us, 0.1);
+  EXPECT_EQ(timings[0].real_time_factor, 0.6);
+  EXPECT_EQ(timings[1].key, b);
+  EXPECT_EQ(timings[1].tick_max_us, 3.0);
+  EXPECT_EQ(timings[1].qp_p99_us, 5.0);
+  EXPECT_TRUE(read_cells(dir).empty());
+}
+
+TEST_F(StoreTest, SourcesOfTheCellsReadBack) {
+  RunInfo info = info_of({key("case1", "knee", "a", "x", 1), key("case1", "knee", "b", "x", 1)});
+  info.sources = {{"case1_knee", "[a]\ngain = 1\n"}, {"case1_knee", "[b]\n"}};
+  { const RunStore store = RunStore::create(dir, info, {{"case1_knee", "duration_s = 1\n"}}); }
+  const RunInfo back = read_run(dir).info;
+  ASSERT_EQ(back.sources.size(), 2U);
+  EXPECT_EQ(back.sources[0].scenario, "case1_knee");
+  EXPECT_EQ(back.sources[0].observer, "[a]\ngain = 1\n");
+  EXPECT_EQ(back.sources[1].observer, "[b]\n");
+}
+
+TEST_F(StoreTest, EveryResultNamesItsScenarioOptionsProgramAndMachine) {
+  const CellResult cell = test::survived(key("case1", "knee", "a", "x", 1), 0.5);
+  RunInfo info = info_of({cell.key});
+  info.sources = {{"case1_knee", "[a]\n"}};
+  RunStore::create(dir, info, {{"case1_knee", "duration_s = 1\n"}}).append(cell);
+  SQLite::Database database((dir / "run.sqlite").string());
+  SQLite::Statement row(database,
+                        "SELECT scenario_hash, observer_options, version, commit_id, compiler, cpu, "
+                        "com_error_max_m FROM overview");
+  ASSERT_TRUE(row.executeStep());
+  EXPECT_EQ(row.getColumn(0).getString(), fingerprint("duration_s = 1\n"));
+  EXPECT_EQ(row.getColumn(1).getString(), "[a]\n");
+  EXPECT_EQ(row.getColumn(2).getString(), info.version);
+  EXPECT_EQ(row.getColumn(3).getString(), info.commit);
+  EXPECT_EQ(row.getColumn(4).getString(), info.compiler);
+  EXPECT_EQ(row.getColumn(5).getString(), info.machine.cpu);
+  EXPECT_EQ(row.getColumn(6).getDouble(), 0.5);
 }
 
 TEST_F(StoreTest, CellsComeInTheOrderOfTheRunNotOfTheirEnds) {
@@ -154,7 +238,7 @@ TEST_F(StoreTest, CellsComeInTheOrderOfTheRunNotOfTheirEnds) {
   EXPECT_THAT(keys, ElementsAre(b.key, c.key, a.key));
 }
 
-TEST_F(StoreTest, LaterLineOfTheSameCellCounts) {
+TEST_F(StoreTest, LaterResultOfTheSameCellCounts) {
   const CellKey k = key("s", "", "a", "-", 1);
   RunStore store = RunStore::create(dir, info_of({k}), {});
   store.append(test::failed(k, "timeout"));
@@ -164,7 +248,7 @@ TEST_F(StoreTest, LaterLineOfTheSameCellCounts) {
   EXPECT_EQ(cells[0].outcome, Outcome::kSurvived);
 }
 
-TEST_F(StoreTest, ThreadsAppendWholeLines) {
+TEST_F(StoreTest, ThreadsAppendWholeCells) {
   std::vector<CellResult> cells;
   for (int seed = 1; seed <= 400; ++seed) cells.push_back(test::survived(key("s", "", "a", "-", seed), seed));
   RunStore store = RunStore::create(dir, test::run_of(cells).info, {});
@@ -202,7 +286,7 @@ TEST_F(StoreTest, OpenedRunGoesOn) {
     RunStore store = RunStore::create(dir, test::run_of({a, b}).info, {});
     store.append(a);
   }
-  RunStore::open(dir).append(b);
+  RunStore::open(dir, {}).append(b);
   EXPECT_EQ(read_cells(dir).size(), 2U);
 }
 

@@ -1,0 +1,104 @@
+#include <cstdlib>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "bench/batch.h"
+#include "bench/commands.h"
+#include "bench/timing.h"
+#include "bench/worker_pool.h"
+#include "results/store.h"
+
+namespace dob {
+namespace {
+
+struct Arguments {
+  BatchRequest request;
+  std::filesystem::path out;  // a run; empty: the figures are printed only
+  double seconds = 10.0;
+  std::string command_line;
+};
+
+// Nothing that was not asked for: then it is the run's own plan.
+bool is_empty(const BatchRequest& r) {
+  return r.scenarios.empty() && r.observers.empty() && r.profiles.empty() && r.gains.empty() && r.planner.empty() &&
+         r.overrides.empty();
+}
+
+void warn_of_other_load() {
+  double load = 0.0;
+  if (::getloadavg(&load, 1) == 1 && load > 0.5) {
+    fmt::print(stderr, "dobbench: other programs load this machine (load average {:.1f}): the figures are too high\n",
+               load);
+  }
+}
+
+void print(const CellTiming& t) {
+  fmt::print("{:<44} {:>8.1f} {:>8.1f} {:>8.1f} {:>8.2f} {:>8.2f} {:>8.1f}\n",
+             fmt::format("{}{}{} {} {}", t.key.scenario, t.key.variant.empty() ? "" : "/", t.key.variant,
+                         t.key.observer, t.key.profile),
+             t.tick_p50_us, t.tick_p99_us, t.tick_max_us, t.qp_p50_us, t.qp_p99_us, t.real_time_factor);
+  std::fflush(stdout);
+}
+
+void print_heading() {
+  const auto line = [](auto... texts) { fmt::print("{:<44} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", texts...); };
+  line("", "tick p50", "p99", "max", "QP p50", "p99", "speed");
+  line("", "[us]", "[us]", "[us]", "[us]", "[us]", "[x real]");
+}
+
+// One cell after the other. `store` may be null.
+int measure(const BatchPlan& plan, double seconds, RunStore* store) {
+  const std::vector<PlannedCell> cells = first_seeds(plan);
+  int failed = 0;
+  const auto task = [&](std::size_t i) {
+    return timing_to_line(time_cell(plan.scenarios[cells[i].scenario], cells[i], seconds));
+  };
+  const auto done = [&](std::size_t i, const TaskOutcome& outcome) {
+    if (!outcome.ok) {
+      ++failed;
+      fmt::print("{} {} {}: {}\n", cells[i].key.scenario, cells[i].key.observer, cells[i].key.profile, outcome.reason);
+      return;
+    }
+    const CellTiming timing = timing_from_line(outcome.output);
+    if (store != nullptr) store->append(timing);
+    print(timing);
+  };
+  warn_of_other_load();
+  print_heading();
+  const int signal = run_in_processes(cells.size(), {.jobs = 1}, task, done);
+  if (signal != 0) return kExitSignal + signal;
+  return failed > 0 ? kExitCellErrors : kExitOk;
+}
+
+int run(const Arguments& arguments) {
+  const bool plan_of_run = !arguments.out.empty() && is_empty(arguments.request);
+  const BatchPlan plan = plan_batch(plan_of_run ? request_of_run(arguments.out) : arguments.request);
+  if (arguments.out.empty()) return measure(plan, arguments.seconds, nullptr);
+  RunStore store = RunStore::open(arguments.out, run_info(plan, arguments.command_line));
+  return measure(plan, arguments.seconds, &store);
+}
+
+}  // namespace
+
+Command add_timing_command(CLI::App& app, const std::string& command_line) {
+  auto arguments = std::make_shared<Arguments>();
+  arguments->command_line = command_line;
+  BatchRequest& request = arguments->request;
+  CLI::App* command =
+      app.add_subcommand("timing", "how long control ticks and their QP take: one cell after the other, first seeds");
+  command->add_option("scenario", request.scenarios, "as for `run`; with --out and nothing else: those of the run");
+  command->add_option("--observer", request.observers, "as for `run`")->allow_extra_args(false);
+  command->add_option("--profile", request.profiles, "as for `run`")->allow_extra_args(false);
+  command->add_option("--gains", request.gains, "as for `run`")->allow_extra_args(false);
+  command->add_option("--planner", request.planner, "as for `run`");
+  command->add_option("--set", request.overrides, "as for `run`")->allow_extra_args(false);
+  command->add_option("--seconds", arguments->seconds, "simulated time of each cell [s] (default 10); 0: all of it")
+      ->check(CLI::Range(0.0, 1e6));
+  command
+      ->add_option("--out", arguments->out, "run directory, by this program, that keeps the figures: `table --timing`")
+      ->check(CLI::ExistingDirectory);
+  return [arguments] { return run(*arguments); };
+}
+
+}  // namespace dob

@@ -1,0 +1,115 @@
+// run.sqlite: its tables, and opening them. Private to results/.
+//
+//   batch       what computed: command line, program, compiler, machine; one row for each time the run was gone on with
+//   scenario    resolved scenarios: file name, hash of the text
+//   observer    resolved options and routing of the observers
+//   cell        the planned cells; id = place in the tables, from 1
+//   result      what became of a cell; its metrics are the fields of results/metric_fields.h
+//   checkpoint  metrics of a cell up to a moment
+//   shadow      observers that ran along
+//   timing      of a serial pass
+//   overview    (view) everything that is known of a cell as one row
+//
+// The journal is SQLite's rollback journal, not the write-ahead log: a run at rest is one file, which can be copied and
+// read from where nothing can be written, and a cell lasts seconds, its transaction milliseconds.
+#pragma once
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "results/store.h"
+
+namespace dob {
+
+inline constexpr int kStoreVersion = 1;  // PRAGMA user_version
+inline constexpr const char* kDatabaseFile = "run.sqlite";
+
+// A column of numbers and the field that it holds.
+template <typename Row, typename Field>
+struct NumberColumn {
+  std::string_view name;
+  Field Row::*field;
+};
+
+using CheckpointColumn = NumberColumn<MetricsCheckpoint, std::optional<double>>;
+inline constexpr std::array kCheckpointColumns{
+    CheckpointColumn{"com_error_max_m", &MetricsCheckpoint::com_error_max_m},
+    CheckpointColumn{"com_error_rms_m", &MetricsCheckpoint::com_error_rms_m},
+    CheckpointColumn{"path_error_max_m", &MetricsCheckpoint::path_error_max_m},
+    CheckpointColumn{"foot_error_max_m", &MetricsCheckpoint::foot_error_max_m},
+    CheckpointColumn{"grf_error_mean_N", &MetricsCheckpoint::grf_error_mean_N},
+};
+
+using ShadowColumn = NumberColumn<ShadowResult, std::optional<double>>;
+inline constexpr std::array kShadowColumns{
+    ShadowColumn{"estimate_rmse_N", &ShadowResult::estimate_rmse_N},
+    ShadowColumn{"joint_estimate_rmse_Nm", &ShadowResult::joint_estimate_rmse_Nm},
+    ShadowColumn{"com_force_rmse_N", &ShadowResult::com_force_rmse_N},
+    ShadowColumn{"com_moment_rmse_Nm", &ShadowResult::com_moment_rmse_Nm},
+};
+
+using TimingColumn = NumberColumn<CellTiming, double>;
+inline constexpr std::array kTimingColumns{
+    TimingColumn{"tick_p50_us", &CellTiming::tick_p50_us},
+    TimingColumn{"tick_p99_us", &CellTiming::tick_p99_us},
+    TimingColumn{"tick_max_us", &CellTiming::tick_max_us},
+    TimingColumn{"qp_p50_us", &CellTiming::qp_p50_us},
+    TimingColumn{"qp_p99_us", &CellTiming::qp_p99_us},
+    TimingColumn{"real_time_factor", &CellTiming::real_time_factor},
+};
+
+inline constexpr std::array<std::string_view, 3> kOutcomes{"survived", "fell", "error"};  // of Outcome
+
+// Makes the database `file` with its tables, empty.
+SQLite::Database create_database(const std::filesystem::path& file);
+
+// Opens that of a run directory. For reading too it is opened for writing where it may be, so that the transaction of a
+// process that was killed is rolled back. Throws StoreError if there is none, or not one of this version.
+SQLite::Database open_database(const std::filesystem::path& dir);
+
+// Calls action() and turns what SQLite throws into a StoreError about `file`.
+template <typename Action>
+auto with_database(const std::filesystem::path& file, const Action& action) {
+  try {
+    return action();
+  } catch (const SQLite::Exception& error) {
+    throw StoreError(file.string() + ": " + error.what());
+  }
+}
+
+// Binds the values of a row one after the other; what is not finite is null.
+class RowBinder {
+ public:
+  explicit RowBinder(SQLite::Statement& statement) : statement_(statement) { statement_.reset(); }
+  RowBinder& add(const std::string& text);
+  RowBinder& add(std::string_view text) { return add(std::string(text)); }
+  RowBinder& add(long number);
+  RowBinder& add(double number);
+  RowBinder& add(const std::optional<double>& number);
+  RowBinder& add(const CellKey& key);  // in the order of kKeyColumns
+
+ private:
+  SQLite::Statement& statement_;
+  int index_ = 0;
+};
+
+inline const std::vector<std::string> kKeyColumns{"scenario", "variant", "observer",  "profile",
+                                                  "gains",    "planner", "overrides", "seed"};
+
+// "INSERT OR REPLACE INTO table(columns) VALUES(?, ...)"
+std::string insert_into(std::string_view table, const std::vector<std::string>& columns);
+
+// Columns of the table `result`, and those of the others that are lists of numbers behind `head`.
+std::vector<std::string> result_columns();
+template <typename Columns>
+std::vector<std::string> with_columns(std::vector<std::string> head, const Columns& columns) {
+  for (const auto& column : columns) head.emplace_back(column.name);
+  return head;
+}
+
+}  // namespace dob

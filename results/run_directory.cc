@@ -1,0 +1,112 @@
+#include "results/run_directory.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <fstream>
+#include <string_view>
+#include <sys/stat.h>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "results/run_database.h"
+#include "results/run_lock.h"
+#include "results/run_plan.h"
+
+namespace dob {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kUnfinished = "run.sqlite.part";  // the database until it is complete
+
+[[noreturn]] void fail(const fs::path& path, const std::string& what, int error = errno) {
+  throw StoreError(fmt::format("{}: {}: {}", path.string(), what, std::generic_category().message(error)));
+}
+
+void make_directories(const fs::path& dir) {
+  std::error_code error;
+  fs::create_directories(dir, error);
+  if (error) fail(dir, "cannot create the directory", error.value());
+}
+
+void write_file(const fs::path& path, const std::string& text) {
+  std::ofstream out(path, std::ios::binary);
+  out << text;
+  out.close();
+  if (!out) throw StoreError(path.string() + ": cannot be written");
+}
+
+// The number that a directory's name is, 0 for any other name.
+int run_number(const std::string& name) {
+  int number = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+  return error == std::errc{} && end == name.data() + name.size() ? std::max(number, 0) : 0;
+}
+
+}  // namespace
+
+void check_names(const std::vector<ResolvedScenario>& scenarios) {
+  constexpr std::string_view kAllowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
+  for (const ResolvedScenario& scenario : scenarios) {
+    const std::string& name = scenario.name;
+    if (name.empty() || name.front() == '.' || name.find_first_not_of(kAllowed) != std::string::npos) {
+      throw StoreError(fmt::format(
+          "scenarios/{}.toml: a scenario's name consists of letters, digits, '_', '-' and '.', not first", name));
+    }
+    const auto same = [&](const ResolvedScenario& other) { return other.name == name; };
+    if (std::count_if(scenarios.begin(), scenarios.end(), same) > 1) {
+      throw StoreError(fmt::format("scenarios/{}.toml: two scenarios of this name", name));
+    }
+  }
+}
+
+void prepare_directory(const fs::path& dir) {
+  if (is_run_directory(dir)) throw StoreError(dir.string() + ": holds a run already");
+  make_directories(dir);
+  std::error_code error;
+  const bool empty = fs::is_empty(dir, error);
+  if (error) fail(dir, "cannot read the directory", error.value());
+  if (!empty && !fs::exists(dir / kLockFile, error)) {
+    throw StoreError(dir.string() + ": exists, is not empty, and is not a run directory");
+  }
+}
+
+fs::path make_numbered(const fs::path& root) {
+  make_directories(root);
+  int number = 0;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(root, error)) {
+    number = std::max(number, run_number(entry.path().filename().string()));
+  }
+  if (error) fail(root, "cannot read the directory", error.value());
+  while (true) {
+    fs::path dir = root / fmt::format("{:04}", ++number);
+    if (::mkdir(dir.c_str(), 0777) == 0) return dir;  // atomic: the number belongs to this process
+    if (errno != EEXIST) fail(dir, "cannot create the directory");
+  }
+}
+
+void fill_directory(const fs::path& dir, const RunInfo& info, const std::vector<ResolvedScenario>& scenarios) {
+  const RunLock lock(dir);
+  std::error_code error;
+  const fs::path unfinished = dir / kUnfinished;
+  fs::remove(unfinished, error);
+  fs::remove(unfinished.string() + "-journal", error);
+  fs::remove_all(dir / "scenarios", error);
+  make_directories(dir / "scenarios");
+  for (const ResolvedScenario& scenario : scenarios) {
+    write_file(dir / "scenarios" / (scenario.name + ".toml"), scenario.toml);
+  }
+  with_database(unfinished, [&] {
+    SQLite::Database database = create_database(unfinished);
+    SQLite::Transaction transaction(database);
+    write_plan(database, info, scenarios);
+    transaction.commit();
+  });
+  fs::rename(unfinished, dir / kDatabaseFile, error);
+  if (error) fail(dir / kDatabaseFile, "cannot write", error.value());
+}
+
+}  // namespace dob

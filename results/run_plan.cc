@@ -1,0 +1,177 @@
+#include "results/run_plan.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "results/fingerprint.h"
+
+namespace dob {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> kBatchColumns{"date",     "command_line", "version", "commit_id", "build",
+                                             "compiler", "flags",        "cpu",     "cores",     "os"};
+
+// Names to ids, adding a row for a new name.
+class Names {
+ public:
+  Names(SQLite::Database& database, std::string_view table, const std::vector<std::string>& columns)
+      : database_(database), insert_(database, insert_into(table, columns)) {}
+
+  long id_of(const std::string& name, const std::vector<std::string>& more = {}) {
+    const auto [it, added] = ids_.emplace(name, 0);
+    if (!added) return it->second;
+    RowBinder row(insert_);
+    row.add(name);
+    for (const std::string& text : more) row.add(text);
+    insert_.exec();
+    return it->second = database_.getLastInsertRowid();
+  }
+
+ private:
+  SQLite::Database& database_;
+  SQLite::Statement insert_;
+  std::map<std::string, long> ids_;
+};
+
+std::string describe(const CellKey& key) {
+  return fmt::format("{}{}{} {} {} {} {} seed {}{}{}", key.scenario, key.variant.empty() ? "" : "/", key.variant,
+                     key.observer, key.profile, key.gains, key.planner, key.seed, key.overrides.empty() ? "" : " set ",
+                     key.overrides);
+}
+
+std::string describe_program(const RunInfo& info) {
+  return fmt::format("dobbench {} ({}, {}, {}, {})", info.version, info.commit, info.build, info.compiler, info.flags);
+}
+
+std::string describe_missing(const std::vector<CellKey>& keys, const std::vector<CellKey>& other,
+                             std::string_view what) {
+  const std::set<CellKey> there(other.begin(), other.end());
+  std::vector<CellKey> missing;
+  for (const CellKey& key : keys) {
+    if (there.count(key) == 0) missing.push_back(key);
+  }
+  if (missing.empty()) return "";
+  return fmt::format("; {} {} (first: {})", missing.size(), what, describe(missing.front()));
+}
+
+[[noreturn]] void refuse(const fs::path& dir, const std::string& what) {
+  throw StoreError(fmt::format("{}: cannot be resumed: {}", dir.string(), what));
+}
+
+void require_same_sources(const fs::path& dir, const RunInfo& run, const RunInfo& now) {
+  for (std::size_t i = 0; i < std::min(run.sources.size(), now.sources.size()); ++i) {
+    if (run.sources[i].observer == now.sources[i].observer) continue;
+    refuse(dir, fmt::format("the options of {} ({}) are not those that the run began with", run.cells[i].observer,
+                            run.cells[i].profile));
+  }
+}
+
+}  // namespace
+
+void write_plan(SQLite::Database& database, const RunInfo& info, const std::vector<ResolvedScenario>& scenarios) {
+  add_batch(database, info);
+  Names scenario_ids(database, "scenario", {"file", "hash"});
+  for (const ResolvedScenario& scenario : scenarios) scenario_ids.id_of(scenario.name, {fingerprint(scenario.toml)});
+  Names observer_ids(database, "observer", {"options"});
+  std::vector<std::string> columns = kKeyColumns;
+  const bool sourced = !info.sources.empty();
+  if (sourced) columns.insert(columns.end(), {"scenario_id", "observer_id"});
+  SQLite::Statement insert(database, insert_into("cell", columns));
+  for (std::size_t i = 0; i < info.cells.size(); ++i) {
+    RowBinder row(insert);
+    row.add(info.cells[i]);
+    if (sourced) {
+      row.add(scenario_ids.id_of(info.sources[i].scenario)).add(observer_ids.id_of(info.sources[i].observer));
+    }
+    insert.exec();
+  }
+}
+
+long add_batch(SQLite::Database& database, const RunInfo& now) {
+  SQLite::Statement insert(database, insert_into("batch", kBatchColumns));
+  RowBinder(insert)
+      .add(now.date)
+      .add(now.command_line)
+      .add(now.version)
+      .add(now.commit)
+      .add(now.build)
+      .add(now.compiler)
+      .add(now.flags)
+      .add(now.machine.cpu)
+      .add(static_cast<long>(now.machine.cores))
+      .add(now.machine.os);
+  insert.exec();
+  return database.getLastInsertRowid();
+}
+
+RunInfo read_info(SQLite::Database& database) {
+  SQLite::Statement batch(database, fmt::format("SELECT {} FROM batch ORDER BY id", fmt::join(kBatchColumns, ", ")));
+  if (!batch.executeStep()) throw std::runtime_error("has no batch");
+  const auto text = [](const SQLite::Statement& row, int i) { return row.getColumn(i).getString(); };
+  RunInfo info{.command_line = text(batch, 1),
+               .version = text(batch, 2),
+               .commit = text(batch, 3),
+               .build = text(batch, 4),
+               .compiler = text(batch, 5),
+               .flags = text(batch, 6),
+               .machine = {text(batch, 7), batch.getColumn(8).getInt(), text(batch, 9)},
+               .date = text(batch, 0),
+               .cells = {}};
+  SQLite::Statement cell(database,
+                         fmt::format("SELECT cell.{}, file, options FROM cell LEFT JOIN scenario ON scenario.id = "
+                                     "scenario_id LEFT JOIN observer ON observer.id = observer_id ORDER BY cell.id",
+                                     fmt::join(kKeyColumns, ", cell.")));
+  while (cell.executeStep()) {
+    info.cells.push_back({text(cell, 0), text(cell, 1), text(cell, 2), text(cell, 3), text(cell, 4), text(cell, 5),
+                          text(cell, 6), cell.getColumn(7).getInt()});
+    if (!cell.getColumn(8).isNull()) info.sources.push_back({text(cell, 8), text(cell, 9)});
+  }
+  return info;
+}
+
+std::string select_cell_id() {
+  return fmt::format("SELECT id FROM cell WHERE {} = ?", fmt::join(kKeyColumns, " = ? AND "));
+}
+
+RunInfo read_run_info(const fs::path& dir) {
+  SQLite::Database database = open_database(dir);
+  return with_database(dir / kDatabaseFile, [&] { return read_info(database); });
+}
+
+void require_same_program(const fs::path& dir, const RunInfo& now) {
+  const RunInfo run = read_run_info(dir);
+  if (describe_program(run) == describe_program(now)) return;
+  refuse(dir, fmt::format("its cells were computed by {}, this is {}: go on with that program, or begin a new run",
+                          describe_program(run), describe_program(now)));
+}
+
+void require_same_plan(const fs::path& dir, const RunInfo& now, const std::vector<ResolvedScenario>& scenarios) {
+  SQLite::Database database = open_database(dir);
+  const RunInfo run = with_database(dir / kDatabaseFile, [&] { return read_info(database); });
+  if (run.cells != now.cells) {
+    const std::string differences =
+        describe_missing(now.cells, run.cells, "of the cells asked for do not belong to it") +
+        describe_missing(run.cells, now.cells, "of its cells were not asked for");
+    refuse(dir, fmt::format("the cells differ{}; it was begun by: {}",
+                            differences.empty() ? " in their order" : differences, run.command_line));
+  }
+  require_same_sources(dir, run, now);
+  std::map<std::string, std::string> hashes;
+  SQLite::Statement query(database, "SELECT file, hash FROM scenario");
+  with_database(dir / kDatabaseFile, [&] {
+    while (query.executeStep()) hashes[query.getColumn(0).getString()] = query.getColumn(1).getString();
+  });
+  for (const ResolvedScenario& scenario : scenarios) {
+    if (hashes[scenario.name] == fingerprint(scenario.toml)) continue;
+    refuse(dir,
+           fmt::format("the scenario {0} is not the one that the run began with, scenarios/{0}.toml", scenario.name));
+  }
+}
+
+}  // namespace dob

@@ -1,0 +1,29 @@
+// What is planned in a run, and by which program, in its database. Private to results/.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "results/run_database.h"
+#include "results/store.h"
+
+namespace dob {
+
+// Cells, scenarios and observers of a new run.
+void write_plan(SQLite::Database& database, const RunInfo& info, const std::vector<ResolvedScenario>& scenarios);
+
+// A row of `batch`; returns its id.
+long add_batch(SQLite::Database& database, const RunInfo& now);
+
+// What began the run, with its cells and their sources.
+RunInfo read_info(SQLite::Database& database);
+
+std::string select_cell_id();  // by a key
+
+// Throw StoreError with what differs.
+void require_same_program(const std::filesystem::path& dir, const RunInfo& now);
+void require_same_plan(const std::filesystem::path& dir, const RunInfo& now,
+                       const std::vector<ResolvedScenario>& scenarios);
+
+}  // namespace dob
