@@ -26,7 +26,7 @@ class Batch {
  public:
   Batch(const BatchPlan& plan, const BatchOptions& options) : plan_(plan), options_(options), store_(open_store()) {
     if (options.log_csv) fs::create_directories(store_.dir() / "logs");
-    if (options.keep != Keep::kNone) fs::create_directories(store_.dir() / "traces");
+    if (options.keep != Keep::kNone) make_trace_directory();
     choose_cells();
   }
 
@@ -54,6 +54,14 @@ class Batch {
     }
     return options_.resume && is_run_directory(options_.out) ? RunStore::resume(options_.out, info, plan_.resolved)
                                                              : RunStore::create(options_.out, info, plan_.resolved);
+  }
+
+  // Without what processes that were killed have left there.
+  void make_trace_directory() const {
+    fs::create_directories(store_.dir() / "traces");
+    for (const fs::path& file : fs::directory_iterator(store_.dir() / "traces")) {
+      if (file.extension() == ".part") fs::remove(file);
+    }
   }
 
   // Those that are not finished, the longest first: the last ones to end are short, and no job waits long for another.

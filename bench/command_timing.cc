@@ -1,5 +1,6 @@
 #include <cstdlib>
 #include <memory>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -71,10 +72,21 @@ int measure(const BatchPlan& plan, double seconds, RunStore* store) {
   return failed > 0 ? kExitCellErrors : kExitOk;
 }
 
+void require_cells_of(const std::filesystem::path& dir, const BatchPlan& plan) {
+  const std::vector<CellKey> of_run = read_run_info(dir).cells;
+  const std::set<CellKey> keys(of_run.begin(), of_run.end());
+  for (const PlannedCell& cell : first_seeds(plan)) {
+    if (keys.contains(cell.key)) continue;
+    throw StoreError(fmt::format("{}: a cell of {} with {} ({}) does not belong to the run", dir.string(),
+                                 cell.key.scenario, cell.key.observer, cell.key.profile));
+  }
+}
+
 int run(const Arguments& arguments) {
   const bool plan_of_run = !arguments.out.empty() && is_empty(arguments.request);
   const BatchPlan plan = plan_batch(plan_of_run ? request_of_run(arguments.out) : arguments.request);
   if (arguments.out.empty()) return measure(plan, arguments.seconds, nullptr);
+  require_cells_of(arguments.out, plan);
   RunStore store = RunStore::open(arguments.out, run_info(plan, arguments.command_line));
   return measure(plan, arguments.seconds, &store);
 }
