@@ -70,6 +70,44 @@ void require_one_meaning(const ObserverConfig& observer, std::map<std::string, s
                                observer.observer, observer.label));
 }
 
+// Where the plan has the scenario; one that is asked for twice is there once.
+std::size_t add_scenario(BatchPlan& plan, const Scenario& scenario, const ScenarioRequest& wanted) {
+  require_runnable(scenario);
+  ResolvedScenario resolved{
+      fmt::format("{}{}{}_{}", scenario.name, scenario.variant.empty() ? "" : "_", scenario.variant, wanted.gains),
+      resolved_toml(wanted, scenario.variant)};
+  for (std::size_t i = 0; i < plan.resolved.size(); ++i) {
+    if (plan.resolved[i].name != resolved.name) continue;
+    if (plan.resolved[i].toml == resolved.toml) return i;
+    throw InputError(
+        fmt::format("{}: another scenario of this batch has the same name, '{}'", wanted.name, scenario.name));
+  }
+  plan.scenarios.push_back(scenario);
+  plan.resolved.push_back(std::move(resolved));
+  return plan.scenarios.size() - 1;
+}
+
+std::vector<ObserverConfig> load_observers(const Lineup& lineup, double dt) {
+  std::vector<ObserverConfig> observers;
+  for (const WrittenText& specification : lineup.observers) {
+    for (const std::string& profile : lineup.profiles) {
+      observers.push_back(load_observer(specification.text, profile, dt, specification.place));
+    }
+  }
+  return observers;
+}
+
+CellKey key_of(const Scenario& scenario, const ObserverConfig& observer, const ScenarioRequest& wanted, int seed) {
+  return {.scenario = scenario.name,
+          .variant = scenario.variant,
+          .observer = observer.label,
+          .profile = observer.profile,
+          .gains = wanted.gains,
+          .planner = std::string(to_string(scenario.planner.kind)),
+          .overrides = fmt::format("{}", fmt::join(wanted.overrides, "; ")),
+          .seed = seed};
+}
+
 // Each once, in the first profile that is asked for.
 std::vector<ObserverConfig> load_shadows(const BatchRequest& request, double dt) {
   const std::string profile = request.profiles.empty() ? "matched" : request.profiles.front();
@@ -111,35 +149,21 @@ std::vector<std::string> split_specifications(const std::string& list) {
 BatchPlan plan_batch(const BatchRequest& request) {
   BatchPlan plan;
   const std::vector<std::string> gain_sets = request.gains.empty() ? std::vector<std::string>{"paper"} : request.gains;
-  const std::string overrides = fmt::format("{}", fmt::join(request.overrides, "; "));
   std::set<CellKey> planned;
-  std::set<std::string> resolved;             // names of the resolved files
   std::map<std::string, std::string> called;  // label in the tables -> observer
   for (const std::string& name : or_paper_set(request.scenarios)) {
     const Lineup lineup = lineup_of(name, request);
     for (const std::string& gains : gain_sets) {
       const ScenarioRequest wanted{name, gains, request.planner, request.overrides};
       for (const Scenario& scenario : load_scenarios(wanted)) {
-        require_runnable(scenario);
-        const std::string file =
-            fmt::format("{}{}{}_{}", scenario.name, scenario.variant.empty() ? "" : "_", scenario.variant, gains);
-        if (resolved.insert(file).second) plan.resolved.push_back({file, resolved_toml(wanted, scenario.variant)});
-        plan.scenarios.push_back(scenario);
+        const std::size_t index = add_scenario(plan, scenario, wanted);
         const std::vector<ObserverConfig> shadows = load_shadows(request, scenario.sim.dt);
         for (const ObserverConfig& shadow : shadows) require_one_meaning(shadow, called);
-        for (const WrittenText& specification : lineup.observers) {
-          for (const std::string& profile : lineup.profiles) {
-            const ObserverConfig observer =
-                load_observer(specification.text, profile, scenario.sim.dt, specification.place);
-            require_one_meaning(observer, called);
-            for (int seed = request.first_seed; seed <= request.last_seed; ++seed) {
-              const CellKey key{scenario.name,  scenario.variant,
-                                observer.label, observer.profile,
-                                gains,          std::string(to_string(scenario.planner.kind)),
-                                overrides,      seed};
-              if (!planned.insert(key).second) continue;
-              plan.cells.push_back({key, plan.scenarios.size() - 1, observer, without(shadows, observer)});
-            }
+        for (const ObserverConfig& observer : load_observers(lineup, scenario.sim.dt)) {
+          require_one_meaning(observer, called);
+          for (int seed = request.first_seed; seed <= request.last_seed; ++seed) {
+            const CellKey key = key_of(scenario, observer, wanted, seed);
+            if (planned.insert(key).second) plan.cells.push_back({key, index, observer, without(shadows, observer)});
           }
         }
       }

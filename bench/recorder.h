@@ -26,9 +26,6 @@ class Recorder {
   // Puts an estimate for the interval of the last record, beside the truth about it, into the estimate's part of `r`.
   void judge(const Estimate& estimate, TickRecord& r) const noexcept;
 
-  // Puts an estimate for the interval of the last record, beside the truth about it, into the estimate's part of `r`.
-  void judge(const Estimate& estimate, TickRecord& r) const noexcept;
-
   // Puts the truth about the interval of the last record into the parts that the estimate says it has: what an oracle
   // stands for.
   void tell_truth(Estimate& estimate) const noexcept;

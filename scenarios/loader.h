@@ -80,8 +80,8 @@ bool is_profile(const std::filesystem::path& file);
 // Every built-in observer that estimates something, with what the profile in this file makes of it.
 std::vector<ObserverConfig> load_profile(const std::filesystem::path& file);
 
-// A profile as text: a table per observer with its options and its routing, which load_observer() reads back; the
-// routing of kinds is that of `base`, another profile.
-std::string profile_toml(const std::vector<ObserverConfig>& observers, const std::string& base);
+// A profile as text: a table per observer with its options and its routing, which load_observer() reads back; with the
+// routing of kinds of `base`, another profile, if one is named.
+std::string profile_toml(const std::vector<ObserverConfig>& observers, const std::string& base = {});
 
 }  // namespace dob

@@ -48,9 +48,9 @@ const char* word(Routing::WrenchSource source) {
 
 std::string profile_toml(const std::vector<ObserverConfig>& observers, const std::string& base) {
   Node document{Table{}, {}};
-  const Node base_document = parse_file(profile_file(base));
+  const Node kinds = base.empty() ? Node{Table{}, {}} : parse_file(profile_file(base));
   for (const char* kind : kRoutedKinds) {
-    if (const Node* routing = base_document.find(kind)) set(document, kind, *routing);
+    if (const Node* routing = kinds.find(kind)) set(document, kind, *routing);
   }
   for (const ObserverConfig& o : observers) {
     for (const auto& [key, value] : o.options) {
