@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "bench/batch.h"
+#include "bench/claims_report.h"
 #include "bench/commands.h"
 #include "bench/shell_words.h"
 #include "results/table.h"
@@ -18,7 +19,7 @@
 namespace dob {
 namespace {
 
-constexpr std::array kOperational{"--resume", "--retry-errors", "--out", "--jobs", "--timeout"};
+constexpr std::array kOperational{"--resume", "--retry-errors", "--out", "--jobs", "--timeout", "--claims"};
 
 // What was asked for is data; what it is done with (kOperational) is not.
 struct Arguments {
@@ -27,6 +28,7 @@ struct Arguments {
   std::vector<std::string> shadows;
   std::string seeds = "1";
   std::string log = "none";
+  bool claims = false;
   Keep keep = Keep::kFirstSeed;
 };
 
@@ -83,6 +85,7 @@ bool asks_for_nothing(const CLI::App& command) {
 void take_plan_of_run(Arguments& arguments) {
   Arguments stored = arguments_of_run(arguments.options.out);
   const double log_rate = stored.options.log_rate;
+  stored.claims = arguments.claims;
   stored.options = arguments.options;
   stored.options.log_rate = log_rate;
   arguments = stored;
@@ -104,6 +107,7 @@ int run(Arguments& arguments, const CLI::App& command) {
   const Run finished = read_run(summary.dir);
   fmt::print("{}", render_table(finished, {}));
   if (!arguments.request.shadows.empty()) fmt::print("\n{}", render_table(finished, {.shadow = true}));
+  if (arguments.claims) fmt::print("\n{}", claims_report(finished, TableFormat::kText));
   fmt::print("\nrun directory: {}\n", summary.dir.string());
   if (summary.stop_signal != 0) return kExitSignal + summary.stop_signal;
   return summary.errors > 0 ? kExitCellErrors : kExitOk;
@@ -124,6 +128,7 @@ CLI::App* add_options(CLI::App& app, Arguments* arguments) {
   command->add_option("--profile", request.profiles, "gains and routing of the observers; every one by default")
       ->allow_extra_args(false);
   command->add_option("--gains", request.gains, "gain set of the controller (default paper)")->allow_extra_args(false);
+  command->add_flag("--claims", arguments->claims, "also print the paper's claims beside what was measured");
   command->add_option("--planner", request.planner, "planner of the motion (default: the scenario's)");
   command->add_option("--seeds", arguments->seeds, "N for the seeds 1 to N, or A..B (default 1)");
   command->add_option("--set", request.overrides, "KEY=VALUE laid over every scenario")->allow_extra_args(false);

@@ -3,27 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "bench/claims_report.h"
 #include "bench/commands.h"
-#include "results/claims.h"
-#include "results/claims_table.h"
 #include "results/table.h"
 
 namespace dob {
-namespace {
-
-std::string claims_table(const std::string& dir, const std::vector<std::string>& recorded, TableFormat format) {
-  const ClaimSet set = load_claims(paper_claims_file());
-  std::vector<Run> others;
-  std::vector<std::string> origins;
-  for (const std::string& other : recorded) {
-    others.push_back(read_run(other));
-    origins.push_back(fmt::format("{} ({})", others.back().info.command_line, others.back().info.commit));
-  }
-  const Run run = read_run(dir);
-  return render_claims(set, evaluate_claims(set, run, others), format, origins);
-}
-
-}  // namespace
 
 Command add_table_command(CLI::App& app) {
   struct Arguments {
@@ -57,7 +41,7 @@ Command add_table_command(CLI::App& app) {
       ->needs(claims);
   return [arguments] {
     if (arguments->claims) {
-      fmt::print("{}", claims_table(arguments->dir, arguments->recorded, arguments->options.format));
+      fmt::print("{}", claims_report(read_run(arguments->dir), arguments->options.format, arguments->recorded));
       return kExitOk;
     }
     fmt::print("{}", render_table(read_run(arguments->dir), arguments->options));
