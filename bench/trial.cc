@@ -34,6 +34,16 @@ std::uint64_t hash_state(std::uint64_t hash, const RobotState& s) noexcept {
   return hash;
 }
 
+// The terrain with the blocks where this seed puts them.
+Terrain laid_terrain(const Scenario& s, int seed) {
+  Terrain terrain = s.terrain;
+  if (s.block_field) {
+    const auto blocks = lay_blocks(*s.block_field, static_cast<std::uint64_t>(seed));
+    terrain.boxes.insert(terrain.boxes.end(), blocks.begin(), blocks.end());
+  }
+  return terrain;
+}
+
 LocomotionOptions locomotion_options(const Scenario& s, Routing routing) {
   if (!s.swing_compensation) routing.swing_31 = Routing::Swing::kOff;
   return {s.gait, s.planner, s.controller, routing};
@@ -66,7 +76,7 @@ Trial::Trial(const Scenario& scenario, const ObserverConfig& observer, int seed,
       seed_(seed),
       robot_(load_robot(scenario.robot.urdf, scenario.robot.forward)),
       model_(robot_),
-      simulator_(robot_, scenario.terrain, scenario.sim),
+      simulator_(robot_, laid_terrain(scenario, seed), scenario.sim),
       sensors_(scenario.noise, static_cast<std::uint64_t>(seed)),
       observer_(make_observer(observer.observer, observer.options, scenario.sim.dt)),
       oracle_(is_oracle(observer.observer)),

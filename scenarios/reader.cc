@@ -122,6 +122,19 @@ int Reader::integer(std::string_view key, int min, int max) {
   refuse(key, fmt::format("a whole number from {} to {}", min, max));
 }
 
+std::vector<double> Reader::numbers(std::string_view key, Range range) {
+  const Node* node = find(key);
+  if (node == nullptr) return {};
+  std::vector<double> numbers;
+  if (const auto* array = std::get_if<Array>(&node->value)) {
+    for (const Node& element : *array) {
+      if (const auto number = number_in(element, range)) numbers.push_back(*number);
+    }
+    if (!numbers.empty() && numbers.size() == array->size()) return numbers;
+  }
+  refuse(key, "a list of numbers, each " + words(range));
+}
+
 Vec3 Reader::vector(std::string_view key, Range range) {
   const Node* node = find(key);
   if (node == nullptr) return Vec3::UnitX();

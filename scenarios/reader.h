@@ -55,6 +55,7 @@ class Reader {
   // so that a misspelt one is called unknown rather than the right one missing; until then its value is a stand-in.
   double number(std::string_view key, Range range, std::optional<double> fallback = std::nullopt);
   int integer(std::string_view key, int min, int max);
+  std::vector<double> numbers(std::string_view key, Range range);  // at least one
   Vec3 vector(std::string_view key, Range range);
   Vec3 vector_or_number(std::string_view key, Range range);  // one number stands for three equal ones
   Vec3 direction(std::string_view key);                      // normalised; zero is refused

@@ -14,6 +14,7 @@
 #include "controller/wbc_options.h"
 #include "observers/options.h"
 #include "robot/description.h"
+#include "sim/block_field.h"
 #include "sim/disturbance.h"
 #include "sim/random_push.h"
 #include "sim/sensors.h"
@@ -56,6 +57,7 @@ struct Scenario {
   bool swing_compensation = true;  // false: (31) without disturbance, whatever an observer's routing says
   SimOptions sim;
   Terrain terrain;
+  std::optional<BlockField> block_field;  // laid out by each seed, besides the terrain's boxes
   SensorNoise noise;
   std::vector<Disturbance> disturbances;
   std::vector<RandomPush> random_pushes;  // what each seed draws, also seed 1

@@ -20,9 +20,7 @@ constexpr Range kFriction = between(0.0, 10.0);  // [-]
 constexpr Range kSoftness = between(0.0, 1.0);   // [-] or [1/kg]
 constexpr Range kGain = between(0.0, 1e6);
 constexpr Range kWeight = above(0.0, 1e16);
-constexpr Range kLength = above(0.0, 10.0);                                         // [m]
-constexpr Range kPlace = between(-1e4, 1e4);                                        // [m] in W
-constexpr Range kAngle = between(-2.0 * std::numbers::pi, 2.0 * std::numbers::pi);  // [rad]
+constexpr Range kLength = above(0.0, 10.0);  // [m]
 
 constexpr std::array<Choice<Forward>, 4> kForward{
     {{"+x", Forward::kPlusX}, {"-x", Forward::kMinusX}, {"+y", Forward::kPlusY}, {"-y", Forward::kMinusY}}};
@@ -191,20 +189,6 @@ SimOptions read_sim(Reader& r) {
   return sim;
 }
 
-Terrain read_terrain(Reader& r) {
-  Terrain terrain;
-  r.table("terrain", [&](Reader& t) {
-    terrain.ground_friction = t.number("ground_friction", kFriction);
-    t.each("boxes", [&](Reader& box) {
-      terrain.boxes.push_back({.center = box.vector("center_m", kPlace),
-                               .size = box.vector("size_m", above(0.0, 1e4)),
-                               .yaw_rad = box.number("yaw_rad", kAngle, 0.0),
-                               .friction = box.number("friction", kFriction)});
-    });
-  });
-  return terrain;
-}
-
 void read_trial(Reader& r, Scenario& s) {
   r.table("noise", [&](Reader& t) {
     s.noise.torque_relative = t.number("torque_relative", between(0.0, 10.0));
@@ -240,7 +224,7 @@ Scenario read_scenario(const Node& document) {
     s.controller = read_controller(r, robot);
     r.table("compensation", [&](Reader& t) { s.swing_compensation = t.flag("swing"); });
     s.sim = read_sim(r);
-    s.terrain = read_terrain(r);
+    read_terrain(r, s);
     r.each("disturbance", [&](Reader& t) { read_disturbance(t, robot, s); });
     read_trial(r, s);
   });

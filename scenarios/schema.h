@@ -17,4 +17,7 @@ Scenario read_scenario(const Node& document);
 // contact sphere's centre of `robot`.
 void read_disturbance(Reader& reader, const RobotDescription& robot, Scenario& scenario);
 
+// [terrain]: the ground, its boxes, and a field of blocks if there is one.
+void read_terrain(Reader& reader, Scenario& scenario);
+
 }  // namespace dob

@@ -51,6 +51,11 @@ void print_world(Print& p, const Scenario& s) {
     for (int i = 0; i < 3; ++i) p(b.center[i], b.size[i]);
     p(b.yaw_rad, b.friction);
   }
+  if (s.block_field) {
+    const BlockField& field = *s.block_field;
+    p(field.start, field.end, field.width, field.tile_x, field.tile_y);
+    for (const BlockField::Kind& kind : field.kinds) p(kind.height, kind.friction);
+  }
   for (const Disturbance& d : s.disturbances) {
     const ForceProfile& f = d.profile;
     p(static_cast<int>(f.kind), f.amplitude_N, f.period_s, f.phase_rad, f.start_s, f.duration_s);

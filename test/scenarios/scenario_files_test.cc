@@ -46,9 +46,10 @@ TEST(ShippedScenarios, AreListedWithTheirVariants) {
 }
 
 TEST(ShippedScenarios, OfTheCaseStudiesAreThePapersSetAndOthersAreNot) {
-  for (const char* name : {"order_study", "case1", "case2", "case3", "case4", "case4_noise"})
+  for (const char* name : {"order_study", "case1", "case2", "case3", "case4", "case4_noise", "case6"})
     EXPECT_EQ(info_of(name).set, ScenarioSet::kPaper) << name;
-  for (const char* name : {"undisturbed", "crawl", "push_trunk", "chirp_knee", "start_in_motion"})
+  for (const char* name :
+       {"undisturbed", "crawl", "push_trunk", "chirp_knee", "start_in_motion", "friction_sweep", "block_height_sweep"})
     EXPECT_EQ(info_of(name).set, ScenarioSet::kExtra) << name;
 }
 
