@@ -10,7 +10,6 @@ jobs=${2:-$(nproc)}
 mkdir -p "$out"
 legs="momentum momentum_exact nonlinear_dob kalman eso sliding_mode direct"
 coms="com_wrench com_momentum_exact com_kalman com_eso com_sliding_mode"
-pushes=${PUSHES:-case4}
 
 set --
 for name in none $legs $coms momentum_com contact_consistent oracle_legs oracle_full; do set -- "$@" --observer "$name"; done
@@ -18,7 +17,7 @@ for leg in $legs; do
   for com in $coms; do set -- "$@" --observer "legs=$leg,com=$com"; done
 done
 "$bin" run case1/knee_lateral case1/tip_lateral "$@" --profile matched --profile tuned --jobs "$jobs" --out "$out/case1" >/dev/null
-"$bin" run "$pushes" --seeds 4 "$@" --profile matched --profile tuned --jobs "$jobs" --out "$out/case4" >/dev/null
+"$bin" run case4 --seeds 4 "$@" --profile matched --profile tuned --jobs "$jobs" --out "$out/case4" >/dev/null
 { "$bin" table "$out/case1" --format json; "$bin" table "$out/case4" --format json; } | jq -s add >"$out/rows.json"
 
 # Worst CoM and foot error [mm] and mean force error [N] over the seeds, or the falls.
