@@ -76,8 +76,10 @@ std::vector<TerrainBox> lay_blocks(const BlockField& field, std::uint64_t seed) 
   std::vector<TerrainBox> blocks;
   for (std::size_t i = 0; i < pattern.size(); ++i) {
     const BlockField::Kind& kind = field.kinds[pattern[i]];
-    const double x = field.start + (static_cast<double>(i / rows) + 0.5) * field.tile_x;
-    const double y = right + (static_cast<double>(i % rows) + 0.5) * field.tile_y;
+    const std::size_t column = i / rows;
+    const std::size_t row = i % rows;
+    const double x = field.start + (static_cast<double>(column) + 0.5) * field.tile_x;
+    const double y = right + (static_cast<double>(row) + 0.5) * field.tile_y;
     blocks.push_back({.center = {x, y, 0.5 * kind.height},
                       .size = {field.tile_x, field.tile_y, kind.height},
                       .yaw_rad = 0.0,
