@@ -145,7 +145,7 @@ RunInfo run_info(const BatchPlan& plan, const std::string& command_line) {
                .cells = {}};
   for (const PlannedCell& cell : plan.cells) {
     info.cells.push_back(cell.key);
-    info.sources.push_back({plan.resolved[cell.scenario].name, profile_toml({cell.observer})});
+    info.sources.push_back({resolved_name(cell.key), profile_toml({cell.observer})});
   }
   return info;
 }

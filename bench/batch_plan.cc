@@ -83,4 +83,8 @@ BatchPlan plan_batch(const BatchRequest& request) {
   return plan;
 }
 
+std::string resolved_name(const CellKey& key) {
+  return fmt::format("{}{}{}_{}", key.scenario, key.variant.empty() ? "" : "_", key.variant, key.gains);
+}
+
 }  // namespace dob

@@ -36,4 +36,7 @@ struct BatchPlan {
 // Throws InputError for the first thing that cannot be run.
 BatchPlan plan_batch(const BatchRequest& request);
 
+// Name of the resolved scenario that the cell runs.
+std::string resolved_name(const CellKey& key);
+
 }  // namespace dob
