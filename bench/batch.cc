@@ -145,7 +145,9 @@ RunInfo run_info(const BatchPlan& plan, const std::string& command_line) {
                .cells = {}};
   for (const PlannedCell& cell : plan.cells) {
     info.cells.push_back(cell.key);
-    info.sources.push_back({plan.resolved[cell.scenario].name, profile_toml({cell.observer})});
+    std::string observers = profile_toml({cell.observer});
+    if (!cell.shadows.empty()) observers += "\n# shadows\n" + profile_toml(cell.shadows);
+    info.sources.push_back({plan.resolved[cell.scenario].name, std::move(observers)});
   }
   return info;
 }
