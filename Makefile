@@ -4,7 +4,7 @@ JOBS ?= $(shell nproc)
 PAPER_SET = none momentum com_wrench nonlinear_dob momentum_com oracle_full
 WERROR ?= $(if $(DOB_WERROR),$(DOB_WERROR),OFF)
 
-.PHONY: run test build setup batch-smoke order-study format clean
+.PHONY: run test build setup paper everything batch-smoke order-study format clean
 
 run: build
 	build/bin/dobbench run $(addprefix --observer ,$(PAPER_SET)) --profile paper --profile tuned --seeds 3 --claims --jobs $(JOBS)
@@ -18,6 +18,21 @@ build: setup
 
 setup:
 	@.ci/setup
+
+# What is published: the paper's cases, every observer tuned and the paper's three in every profile, gain sets paper and
+# stiff, ten seeds. About 75 minutes on two quiet cores; interrupted, it goes on where it was (docs/run-directory.md).
+PAPER_OUT ?= dobbench-results/paper
+paper: build
+	build/bin/dobbench run --profile tuned --gains paper --gains stiff --seeds 10 --jobs $(JOBS) --resume --out $(PAPER_OUT)/tuned
+	build/bin/dobbench run --observer momentum --observer com_wrench --observer nonlinear_dob --profile paper --profile matched \
+	  --gains paper --gains stiff --seeds 10 --claims --jobs $(JOBS) --resume --out $(PAPER_OUT)/profiles
+
+# The full product of scenarios, observers, profiles, gain sets and planners: a day and more.
+EVERYTHING_OUT ?= dobbench-results/everything
+everything: build
+	for planner in zmp spline paper_split; do \
+	  build/bin/dobbench run $(notdir $(basename $(wildcard scenarios/*.toml))) --planner $$planner --gains paper --gains swing300 \
+	    --gains stiff --seeds 10 --jobs $(JOBS) --resume --out $(EVERYTHING_OUT)/$$planner || exit $$?; done
 
 # Ten simulated seconds in one job and in two must give the same table.
 batch-smoke: build
