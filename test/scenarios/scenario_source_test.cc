@@ -151,7 +151,7 @@ TEST(FileKeys, AreCheckedAndStayWithTheirFile) {
   EXPECT_EQ(with("observers = 3"), "mine.toml:1:1: observers: 3; allowed: a text, or a list of texts");
   EXPECT_EQ(with("profiles = \"paper\""), "mine.toml:1:1: profiles: \"paper\"; allowed: only beside observers");
   EXPECT_EQ(with("profiles = \"best\"\nobservers = \"none\""),
-            "mine.toml:1:1: profiles: there is no 'best'; there are: matched, paper");
+            "mine.toml:1:1: profiles: there is no 'best'; there are: matched, paper, tuned");
   EXPECT_EQ(with("set = \"paper\"\nobservers = \"none\"\nprofiles = \"paper\""), "no error");
   files.write("other.toml", "base = \"mine.toml\"\n");
   const ScenarioInfo other = scenario_info((files.directory() / "other.toml").string());
