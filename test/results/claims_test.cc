@@ -5,8 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "results/claim_cells.h"
 #include "results/metric_fields.h"
 #include "scenarios/input_error.h"
+#include "scenarios/loader.h"
 #include "test/results/claim_samples.h"
 
 namespace dob {
@@ -132,6 +134,25 @@ TEST_F(ClaimsTest, NoteOfANoNamesTheContrastsOfTheRunAndOfRecordedOnes) {
       rows[0].note,
       "also fails with oracle_legs (17.3 mm); holds with profile matched (9.9 mm), gains stiff (9.6 mm, recorded)");
   EXPECT_EQ(rows[1].note, "");  // it holds
+}
+
+// A slip of the pen there would read "not part of this run" for ever.
+TEST(PaperClaims, NameScenariosAndObserversThatThereAre) {
+  std::vector<CellResult> cells;
+  for (const ScenarioInfo& info : list_scenarios()) {
+    if (info.variants.empty()) cells.push_back(survived(key(info.name, "", "none", "-", 1), 0.01));
+    for (const std::string& variant : info.variants)
+      cells.push_back(survived(key(info.name, variant, "none", "-", 1), 0.01));
+  }
+  const Run run = run_of(cells);
+  const CellGroups shipped(run);
+  const ClaimSet set = load_claims(paper_claims_file());
+  for (const Claim& claim : set.claims) {
+    for (const std::string& pattern : claim.cells) {
+      EXPECT_FALSE(shipped.cases(pattern).empty()) << claim.id << ": " << pattern;
+    }
+    for (const std::string& observer : claim.observers) EXPECT_NO_THROW(load_observer(observer, "paper")) << claim.id;
+  }
 }
 
 }  // namespace
