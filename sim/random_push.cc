@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 #include <string_view>
 
 #include <fmt/format.h>
+
+#include "sim/random_numbers.h"
 
 namespace dob {
 namespace {
@@ -19,11 +20,6 @@ void require(bool allowed, std::string_view field, double value, std::string_vie
   if (!allowed) {
     throw std::invalid_argument(fmt::format("random push: {} = {}, must be {}", field, value, expected));
   }
-}
-
-std::mt19937_64 engine(std::uint64_t seed, std::uint32_t stream) {
-  std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U), kStreams, stream};
-  return std::mt19937_64(sequence);
 }
 
 // In [0, 1), made here because the standard leaves std::uniform_real_distribution's algorithm to the library.
@@ -59,7 +55,7 @@ void RandomPush::validate() const {
 std::vector<Disturbance> draw_pushes(const RandomPush& push, const RobotDescription& robot, std::uint64_t seed,
                                      std::uint32_t stream, double end_s) {
   push.validate();
-  std::mt19937_64 random = engine(seed, stream);
+  std::mt19937_64 random = random_stream(seed, kStreams, stream);
   const double end = std::min(end_s, push.start_s + push.duration_s);
   std::vector<Disturbance> draws;
   for (int k = 0;; ++k) {
