@@ -243,6 +243,7 @@ Scenario read_scenario(const Node& document) {
     s.terrain = read_terrain(r);
     r.each("disturbance", [&](Reader& t) { read_disturbance(t, robot, s); });
     read_trial(r, s);
+    read_imperfections(r, s);
   });
   return s;
 }

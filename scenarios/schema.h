@@ -17,4 +17,7 @@ Scenario read_scenario(const Node& document);
 // contact sphere's centre of `robot`.
 void read_disturbance(Reader& reader, const RobotDescription& robot, Scenario& scenario);
 
+// What the robot does not know, or is told wrongly: [model_error], [sensing], [[payload]].
+void read_imperfections(Reader& reader, Scenario& scenario);
+
 }  // namespace dob

@@ -6,6 +6,7 @@
 #include "bench/trial.h"
 #include "observers/factory.h"
 #include "scenarios/loader.h"
+#include "sim/sensing.h"
 #include "test/support/allocation_counter.h"
 
 namespace dob {
@@ -50,6 +51,21 @@ TEST_P(ControlTick, AllocatesNothingAfterReset) {
     ASSERT_EQ(counter.count(), 0) << "tick " << k;
   }
   EXPECT_GE(solved, 0.4 * static_cast<double>(ticks));  // 400 Hz of 1 kHz, and more at changes of the stance set
+}
+
+TEST(ImperfectSensing, AllocatesNothing) {
+  Sensing sensing({.base_velocity_noise = 0.1,
+                   .base_angular_velocity_noise = 0.1,
+                   .torque_bias = 0.5,
+                   .foot_force_bias = 5.0,
+                   .delay_ticks = 3},
+                  1);
+  const test::AllocationCounter counter;
+  sensing.reset({});
+  long told = 0;
+  for (int k = 0; k < 100; ++k) told = sensing.measure({}, {}, {true, true, false, true}).tick;
+  EXPECT_EQ(counter.count(), 0);
+  EXPECT_EQ(told, 97);
 }
 
 // Once a whole trial of case 1, then the other planners and the crawl.
