@@ -88,7 +88,7 @@ const TickRecord& Recorder::record(double t, const ModelTerms& m, const Locomoti
   r.disturbance_onset = disturbances.changed();
   r.disturbance_active = disturbances.active();
   judge(estimate, r);
-  remember_truth(m, disturbances.forces());
+  remember_truth(m, disturbances.true_forces());
   r.qp_solved = command.event != QpEvent::kHeld;
   r.qp_status = command.qp_status;
   r.qp_iterations = command.qp_iterations;

@@ -17,8 +17,8 @@ class Recorder {
  public:
   Recorder(const RobotDescription& robot, const Scenario& scenario);
 
-  // The tick at time t [s]: `m` is the model at t, `step` what the simulator did over [t, t + dt] under the forces that
-  // `disturbances` has for t, `estimate` the observer's answer to the interval that ended at t.
+  // The tick at time t [s]: `m` is the true model at t, `step` what the simulator did over [t, t + dt] under the forces
+  // that `disturbances` has for t, `estimate` the observer's answer to the interval that ended at t.
   const TickRecord& record(double t, const ModelTerms& m, const LocomotionController& controller,
                            const WbcTick& command, const StepResult& step, const Estimate& estimate,
                            const DisturbanceSchedule& disturbances) noexcept;

@@ -44,6 +44,12 @@ Terrain laid_terrain(const Scenario& s, int seed) {
   return terrain;
 }
 
+// What controller and observer take the robot to be.
+RobotDescription believed_robot(const RobotDescription& robot, const ModelError& error) {
+  if (error.none()) return robot;  // to the bit
+  return scale_trunk_inertia(scale_inertia(robot, error.mass_scale), error.trunk_mass_scale);
+}
+
 LocomotionOptions locomotion_options(const Scenario& s, Routing routing) {
   if (!s.swing_compensation) routing.swing_31 = Routing::Swing::kOff;
   return {s.gait, s.planner, s.controller, routing};
@@ -75,23 +81,29 @@ Trial::Trial(const Scenario& scenario, const ObserverConfig& observer, int seed,
       observer_config_(observer),
       seed_(seed),
       robot_(load_robot(scenario.robot.urdf, scenario.robot.forward)),
-      model_(robot_),
+      model_(believed_robot(robot_, scenario.model_error)),
       simulator_(robot_, laid_terrain(scenario, seed), scenario.sim),
       sensors_(scenario.noise, static_cast<std::uint64_t>(seed)),
+      sensing_(scenario.sensing, static_cast<std::uint64_t>(seed)),
       observer_(make_observer(observer.observer, observer.options, scenario.sim.dt)),
       oracle_(is_oracle(observer.observer)),
       shadows_(shadows, scenario.sim.dt),
       controller_(locomotion_options(scenario, observer.routing), ReferencePath(scenario.path), scenario.sim.dt),
       recorder_(robot_, scenario_) {
-  RobotState initial = standing_pose(model_, scenario_.planner.com_height, scenario_.planner.footsteps.foot_offset_x,
+  if (!scenario_.model_error.none() || scenario_.sensing.of_state()) truth_.emplace(Truth{Model(robot_), {}});
+  RobotState initial = standing_pose(truth_ ? truth_->model : model_, scenario_.planner.com_height,
+                                     scenario_.planner.footsteps.foot_offset_x,
                                      scenario_.planner.footsteps.foot_offset_y, scenario_.robot.posture);
   nominal_height_ = initial.p_WB.z();
   draw_disturbances();
   apply_seed(initial);
-  disturbances_ = DisturbanceSchedule(scenario_.disturbances);
+  disturbances_ = DisturbanceSchedule(scenario_.disturbances, scenario_.payloads, scenario_.sim.gravity);
+  for (const Payload& payload : scenario_.payloads) simulator_.add_payload(payload);
   start_moving(initial);
   simulator_.reset(initial);
+  sensing_.reset(initial);
   model_.compute(initial, *now_);
+  if (truth_) truth_->model.compute(initial, truth_->terms);
   observer_->reset(*now_);
   shadows_.reset(*now_);
   controller_.reset(*now_, initial_footstep_time_, first_step_);
@@ -122,6 +134,7 @@ void Trial::apply_seed(RobotState& initial) {
   }
   const double later = v.disturbance_onset * uniform();
   for (Disturbance& d : scenario_.disturbances) d.profile.start_s += later;
+  for (Payload& p : scenario_.payloads) p.start_s += later;
 }
 
 // The trunk moves along x from the start, the feet stand: joint rates that keep the contact points at rest.
@@ -143,28 +156,35 @@ void Trial::time_ticks(TickClock& clock) {
 
 bool Trial::tick() {
   const double t = time();
-  ModelTerms& m = *now_;
   if (clock_ != nullptr) clock_->start();
-  const WbcTick& command = controller_.update(m, foot_force_, for_controller(estimate_));
+  const WbcTick& command = controller_.update(*now_, foot_force_, for_controller(estimate_));
   if (clock_ != nullptr) clock_->stop();
   if (!command.torque.allFinite()) {
     fall_reason_ = "non-finite command";
     return false;
   }
-  disturbances_.update(t, swing_phase(controller_.gait()), m.state);
+  const ModelTerms& truth = true_terms();
+  disturbances_.update(t, swing_phase(controller_.gait()), truth.state);
 
   const StepResult step = simulator_.step(command.torque, disturbances_.forces());
   shadows_.judge(recorder_);
-  record_ = recorder_.record(t, m, controller_, command, step, estimate_, disturbances_);
+  record_ = recorder_.record(t, truth, controller_, command, step, estimate_, disturbances_);
 
-  const SensorReading reading = sensors_.measure(step);
-  std::swap(start_, now_);
-  if (clock_ != nullptr) clock_->start();
-  model_.compute(simulator_.state(), *now_);
-  observe(reading);
-  if (clock_ != nullptr) clock_->end_tick();
+  sense(step);
   ++tick_;
   return !has_fallen(step);
+}
+
+// The first step ends at tick 1: until the delay lets it through there is no interval to observe.
+void Trial::sense(const StepResult& step) {
+  const RobotState state = simulator_.state();
+  if (truth_) truth_->model.compute(state, truth_->terms);
+  const Measurement& measured = sensing_.measure(state, sensors_.measure(step), step.foot_contact);
+  std::swap(start_, now_);
+  if (clock_ != nullptr) clock_->start();
+  model_.compute(measured.state, *now_);
+  if (measured.tick > 0) observe(measured.reading);
+  if (clock_ != nullptr) clock_->end_tick();
 }
 
 void Trial::observe(const SensorReading& reading) noexcept {
@@ -192,7 +212,7 @@ CellResult Trial::run(const Sink& sink) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   while (tick_ < ticks) {
     const bool up = tick();
-    hash = hash_state(hash, now_->state);
+    hash = hash_state(hash, true_terms().state);
     if (up) {
       metrics.add(record_);
       shadows_.count();
@@ -217,7 +237,7 @@ CellResult Trial::run(const Sink& sink) {
 }
 
 bool Trial::has_fallen(const StepResult& step) noexcept {
-  const RobotState& s = now_->state;
+  const RobotState& s = true_terms().state;
   const bool finite = s.p_WB.allFinite() && s.R_WB.allFinite() && s.v_WB.allFinite() && s.omega_WB.allFinite() &&
                       s.q.allFinite() && s.qd.allFinite();
   if (!finite) {

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -44,23 +45,33 @@ class Trial {
   const TickRecord& record() const noexcept { return record_; }
   std::span<const AppliedForce> forces() const noexcept { return disturbances_.forces(); }  // over the last step
   const LocomotionController& controller() const noexcept { return controller_; }
-  const Estimate& estimate() const noexcept { return estimate_; }  // for the next tick
-  const ModelTerms& model_terms() const noexcept { return *now_; }
+  const Estimate& estimate() const noexcept { return estimate_; }   // for the next tick
+  const ModelTerms& model_terms() const noexcept { return *now_; }  // that controller and observer compute with
 
  private:
   void draw_disturbances();
   void apply_seed(RobotState& initial);
   void start_moving(RobotState& initial);
+  void sense(const StepResult& step);
   void observe(const SensorReading& reading) noexcept;
   bool has_fallen(const StepResult& step) noexcept;
+  // Of the simulated robot in its true state: what the metrics and the truth about disturbances are computed with.
+  const ModelTerms& true_terms() const noexcept { return truth_ ? truth_->terms : *now_; }
+
+  struct Truth {
+    Model model;
+    ModelTerms terms;
+  };
 
   Scenario scenario_;
   ObserverConfig observer_config_;
   int seed_;
-  RobotDescription robot_;
-  Model model_;
+  RobotDescription robot_;      // the simulated one
+  Model model_;                 // that controller and observer compute with
+  std::optional<Truth> truth_;  // only where that, or the state it is told, differs from the simulated robot
   Simulator simulator_;
   Sensors sensors_;
+  Sensing sensing_;
   std::unique_ptr<DisturbanceObserver> observer_;
   bool oracle_;  // the truth takes the place of the observer's estimate
   Shadows shadows_;

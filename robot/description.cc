@@ -229,6 +229,11 @@ void scale(LinkInertia& inertia, double factor) {
   inertia.inertia *= factor;
 }
 
+void require_factor(const char* function, double factor) {
+  if (factor > 0.0 && std::isfinite(factor)) return;
+  throw std::invalid_argument(fmt::format("{}: factor is {}; a positive number is needed", function, factor));
+}
+
 }  // namespace
 
 double RobotDescription::total_mass() const {
@@ -250,15 +255,19 @@ RobotDescription load_robot(const std::filesystem::path& urdf, Forward forward) 
 }
 
 RobotDescription scale_inertia(RobotDescription robot, double factor) {
-  if (!(factor > 0.0) || !std::isfinite(factor)) {
-    throw std::invalid_argument(fmt::format("scale_inertia: factor is {}; a positive number is needed", factor));
-  }
+  require_factor("scale_inertia", factor);
   scale(robot.trunk.inertia, factor);
   for (LegDescription& leg : robot.legs) {
     for (LinkDescription& link : leg.links) {
       scale(link.inertia, factor);
     }
   }
+  return robot;
+}
+
+RobotDescription scale_trunk_inertia(RobotDescription robot, double factor) {
+  require_factor("scale_trunk_inertia", factor);
+  scale(robot.trunk.inertia, factor);
   return robot;
 }
 

@@ -87,4 +87,7 @@ RobotDescription load_robot(const std::filesystem::path& urdf, Forward forward);
 // positive and finite: std::invalid_argument.
 RobotDescription scale_inertia(RobotDescription robot, double factor);
 
+// The trunk's alone. std::invalid_argument as above.
+RobotDescription scale_trunk_inertia(RobotDescription robot, double factor);
+
 }  // namespace dob

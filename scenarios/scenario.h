@@ -16,7 +16,9 @@
 #include "robot/description.h"
 #include "sim/block_field.h"
 #include "sim/disturbance.h"
+#include "sim/payload.h"
 #include "sim/random_push.h"
+#include "sim/sensing.h"
 #include "sim/sensors.h"
 #include "sim/simulator.h"
 #include "sim/terrain.h"
@@ -44,6 +46,15 @@ struct SeedVariation {
   double disturbance_onset = 0.265;  // [s] later start of every disturbance: 0 to this
 };
 
+// How far the model that controller and observer compute with is from the simulated robot: factors on masses and
+// inertias, 1 for a true one. Centres of mass within the links stay.
+struct ModelError {
+  double mass_scale = 1.0;        // of every link
+  double trunk_mass_scale = 1.0;  // of the trunk, besides
+
+  bool none() const noexcept { return mass_scale == 1.0 && trunk_mass_scale == 1.0; }
+};
+
 struct Scenario {
   std::string name;
   std::string variant;    // "" when the file has none
@@ -59,7 +70,10 @@ struct Scenario {
   Terrain terrain;
   std::optional<BlockField> block_field;  // laid out by each seed, besides the terrain's boxes
   SensorNoise noise;
+  SensingErrors sensing;
+  ModelError model_error;
   std::vector<Disturbance> disturbances;
+  std::vector<Payload> payloads;
   std::vector<RandomPush> random_pushes;  // what each seed draws, also seed 1
   std::optional<Leg> metric_leg;          // leg whose foot and force errors are reported; else the worst of / all four
   FallOptions fall;

@@ -227,6 +227,7 @@ Scenario read_scenario(const Node& document) {
     read_terrain(r, s);
     r.each("disturbance", [&](Reader& t) { read_disturbance(t, robot, s); });
     read_trial(r, s);
+    read_imperfections(r, s);
   });
   return s;
 }

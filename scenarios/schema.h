@@ -19,5 +19,7 @@ void read_disturbance(Reader& reader, const RobotDescription& robot, Scenario& s
 
 // [terrain]: the ground, its boxes, and a field of blocks if there is one.
 void read_terrain(Reader& reader, Scenario& scenario);
+// What the robot does not know, or is told wrongly: [model_error], [sensing], [[payload]].
+void read_imperfections(Reader& reader, Scenario& scenario);
 
 }  // namespace dob

@@ -1,5 +1,7 @@
 #include "sim/disturbance_schedule.h"
 
+#include <utility>
+
 namespace dob {
 namespace {
 
@@ -7,10 +9,12 @@ constexpr double kSlack = 1e-9;  // [s] on a start, [-] on a phase: both are sum
 
 }  // namespace
 
-DisturbanceSchedule::DisturbanceSchedule(const std::vector<Disturbance>& disturbances) {
+DisturbanceSchedule::DisturbanceSchedule(const std::vector<Disturbance>& disturbances, std::vector<Payload> payloads,
+                                         double gravity)
+    : payloads_(std::move(payloads)), gravity_(gravity) {
   items_.reserve(disturbances.size());
   for (const Disturbance& d : disturbances) items_.push_back({d, d.trigger.has_value(), false});
-  forces_.reserve(items_.size());
+  forces_.reserve(items_.size() + payloads_.size());
   last_phase_.fill(-1.0);
 }
 
@@ -33,6 +37,16 @@ void DisturbanceSchedule::update(double t, const PerLeg<double>& swing_phase, co
     if (acts) forces_.push_back(d.at(t, state));
   }
   last_phase_ = swing_phase;
+  applied_ = forces_.size();
+  for (const Payload& payload : payloads_) {
+    if (!payload.on(t)) continue;
+    AppliedForce weight;
+    weight.p_L = payload.p_B;
+    weight.force_W.z() = -payload.mass * gravity_;
+    forces_.push_back(weight);
+  }
+  changed_ = changed_ || forces_.size() - applied_ != payloads_on_;
+  payloads_on_ = forces_.size() - applied_;
 }
 
 const Disturbance* DisturbanceSchedule::waiting() const noexcept {

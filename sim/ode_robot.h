@@ -37,6 +37,9 @@ class OdeRobot {
   Vec12 add_torques(const Vec12& commanded);
   void add_force(const AppliedForce& force);
 
+  dBodyID trunk() const noexcept { return bodies_[0]; }
+  Vec3 on_trunk(const Vec3& p_B) const noexcept { return p_B - robot_.trunk.inertia.com; }  // [m] in the trunk's body
+
   // Feet first, then the trunk, then the legs.
   std::span<const RobotGeom> geoms() const noexcept { return geoms_; }
 

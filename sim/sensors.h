@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 
 #include "robot/types.h"
+#include "sim/normal_deviates.h"
 #include "sim/simulator.h"
 
 namespace dob {
@@ -24,8 +24,7 @@ struct SensorReading {
   PerLeg<Vec3> foot_force_W = zero_vectors();  // [N] ground on foot
 };
 
-// The same seed gives the same noise. Normal deviates are made here (Box and Muller 1958) from the
-// generator's bits, because the standard leaves std::normal_distribution's algorithm to the library.
+// The same seed gives the same noise.
 class Sensors {
  public:
   Sensors(const SensorNoise& noise, std::uint64_t seed);
@@ -35,12 +34,8 @@ class Sensors {
   SensorReading measure(const StepResult& step) noexcept;
 
  private:
-  double normal() noexcept;  // mean 0, variance 1
-
   SensorNoise noise_;
-  std::mt19937_64 engine_;
-  double spare_ = 0.0;
-  bool has_spare_ = false;
+  NormalDeviates normal_;
 };
 
 }  // namespace dob

@@ -4,11 +4,13 @@
 #include <new>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "sim/ode_contacts.h"
 #include "sim/ode_handles.h"
+#include "sim/ode_payload.h"
 #include "sim/ode_robot.h"
 
 namespace dob {
@@ -65,6 +67,7 @@ struct Simulator::World {
   OdeWorld world;
   OdeRobot robot;
   OdeContacts contacts;
+  std::vector<OdePayload> payloads;
   long steps = 0;
 
   World(const RobotDescription& description, const Terrain& terrain, const SimOptions& sim_options)
@@ -84,8 +87,14 @@ Simulator::~Simulator() = default;
 Simulator::Simulator(Simulator&&) noexcept = default;
 Simulator& Simulator::operator=(Simulator&&) noexcept = default;
 
+void Simulator::add_payload(const Payload& payload) {
+  payload.validate();
+  world_->payloads.emplace_back(world_->world.get(), payload);
+}
+
 void Simulator::reset(const RobotState& state) {
   world_->contacts.clear();
+  for (OdePayload& payload : world_->payloads) payload.take_off();
   world_->robot.set_state(state);
   world_->steps = 0;
 }
@@ -98,6 +107,9 @@ StepResult Simulator::step(const Vec12& commanded_torque, std::span<const Applie
 
   World& w = *world_;
   StepResult result;
+  for (OdePayload& payload : w.payloads) {
+    payload.update(time(), w.robot.trunk(), w.robot.on_trunk(payload.payload().p_B));
+  }
   if (w.options.contacts) w.contacts.find(w.robot.geoms());
   result.joint_torque = w.robot.add_torques(commanded_torque);
   for (const AppliedForce& force : forces) w.robot.add_force(force);

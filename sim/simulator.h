@@ -28,6 +28,7 @@
 #include "robot/description.h"
 #include "robot/types.h"
 #include "sim/applied_force.h"
+#include "sim/payload.h"
 #include "sim/terrain.h"
 
 namespace dob {
@@ -74,7 +75,11 @@ class Simulator {
   Simulator(const Simulator&) = delete;
   Simulator& operator=(const Simulator&) = delete;
 
-  // Puts the robot into the state, time 0. Nothing of what happened before remains.
+  // One more load that step() puts on the trunk when its time has come. Throws std::invalid_argument for a payload that
+  // is not physical.
+  void add_payload(const Payload& payload);
+
+  // Puts the robot into the state, time 0, without its loads. Nothing of what happened before remains.
   void reset(const RobotState& state);
 
   // One step of options.dt. Torques are held, and clamped to the effort limits; forces act on their points.

@@ -63,7 +63,7 @@ std::size_t cells_of(const BatchPlan& plan, const std::string& scenario) {
 TEST(BatchPlan, WithoutAScenarioIsThePapersSetAndNothingElse) {
   const BatchPlan plan = plan_batch({.observers = {"none"}, .profiles = {"paper"}});
   const std::set<std::string> names = scenarios_of(plan);
-  for (const char* name : {"order_study", "case1", "case3", "case4", "case4_noise", "case6"})
+  for (const char* name : {"order_study", "case1", "case3", "case4", "case4_noise", "case5", "case6"})
     EXPECT_TRUE(names.contains(name));
   for (const char* name : {"case2", "undisturbed", "crawl", "push_trunk", "chirp_knee"})
     EXPECT_FALSE(names.contains(name)) << name;

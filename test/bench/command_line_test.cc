@@ -120,7 +120,7 @@ TEST_F(CommandLine, TheTableDoesNotDependOnTheNumberOfJobs) {
   EXPECT_EQ(one.exit_code, 0);
   EXPECT_EQ(one.out, dobbench("table three --format json").out);
   const auto rows = nlohmann::json::parse(one.out);
-  EXPECT_EQ(rows.size(), 6U);
+  EXPECT_EQ(rows.size(), 8U);
   EXPECT_EQ(rows[0]["runs"], 2);
   // The same state hashes, cell by cell.
   const auto hashes = [this](const char* run) {
@@ -128,7 +128,7 @@ TEST_F(CommandLine, TheTableDoesNotDependOnTheNumberOfJobs) {
     for (const dob::CellResult& cell : dob::read_cells(dir / run)) hash[cell.key] = cell.state_hash;
     return hash;
   };
-  EXPECT_EQ(hashes("one").size(), 12U);
+  EXPECT_EQ(hashes("one").size(), 16U);
   EXPECT_EQ(hashes("one"), hashes("three"));
 }
 

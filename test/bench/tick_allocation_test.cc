@@ -6,6 +6,7 @@
 #include "bench/trial.h"
 #include "observers/factory.h"
 #include "scenarios/loader.h"
+#include "sim/sensing.h"
 #include "test/support/allocation_counter.h"
 
 namespace dob {
@@ -73,6 +74,21 @@ TEST(ShadowTick, AllocatesNothing) {
     shadows.count();
     ASSERT_EQ(counter.count(), 0) << "tick " << k;
   }
+}
+
+TEST(ImperfectSensing, AllocatesNothing) {
+  Sensing sensing({.base_velocity_noise = 0.1,
+                   .base_angular_velocity_noise = 0.1,
+                   .torque_bias = 0.5,
+                   .foot_force_bias = 5.0,
+                   .delay_ticks = 3},
+                  1);
+  const test::AllocationCounter counter;
+  sensing.reset({});
+  long told = 0;
+  for (int k = 0; k < 100; ++k) told = sensing.measure({}, {}, {true, true, false, true}).tick;
+  EXPECT_EQ(counter.count(), 0);
+  EXPECT_EQ(told, 97);
 }
 
 // Once a whole trial of case 1, then the other planners and the crawl.

@@ -234,6 +234,21 @@ TEST(ScaleInertia, MultipliesMassesAndInertiasAndNothingElse) {
   }
 }
 
+TEST(ScaleTrunkInertia, MultipliesTheTrunkAlone) {
+  const RobotDescription robot = load_robot(dogbot_urdf(), Forward::kMinusY);
+  const RobotDescription heavy = scale_trunk_inertia(robot, 1.3);
+  EXPECT_NEAR(heavy.total_mass(), robot.total_mass() + 0.3 * 9.3, 1e-13);
+  EXPECT_EQ(heavy.trunk.inertia.inertia, Mat3(1.3 * robot.trunk.inertia.inertia));
+  EXPECT_EQ(heavy.trunk.inertia.com, robot.trunk.inertia.com);
+  for (std::size_t leg = 0; leg < kLegs; ++leg) {
+    for (std::size_t i = 0; i < kJointsPerLeg; ++i) {
+      EXPECT_EQ(heavy.legs.at(leg).links.at(i).inertia.mass, robot.legs.at(leg).links.at(i).inertia.mass);
+      EXPECT_EQ(heavy.legs.at(leg).links.at(i).inertia.inertia, robot.legs.at(leg).links.at(i).inertia.inertia);
+    }
+  }
+  EXPECT_THROW(scale_trunk_inertia(robot, 0.0), std::invalid_argument);
+}
+
 TEST(ScaleInertia, RefusesAFactorThatIsNotPositive) {
   const RobotDescription robot = load_robot(dogbot_urdf(), Forward::kMinusY);
   EXPECT_THROW(scale_inertia(robot, 0.0), std::invalid_argument);
