@@ -144,7 +144,7 @@ TEST(PaperClaims, NameScenariosAndObserversThatThereAre) {
     for (const std::string& variant : info.variants)
       cells.push_back(survived(key(info.name, variant, "none", "-", 1), 0.01));
   }
-  const Run run = run_of(cells);
+  const dob::Run run = run_of(cells);
   const CellGroups shipped(run);
   const ClaimSet set = load_claims(paper_claims_file());
   for (const Claim& claim : set.claims) {
