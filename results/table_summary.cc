@@ -120,6 +120,24 @@ std::vector<std::string> scenarios_of(const Rows& rows) {
   return scenarios;
 }
 
+// A scenario that is about observers of its own says nothing about the others: what counts is what ran in two scenarios
+// at least, in those scenarios in which two of these did.
+Rows comparable(const Rows& rows) {
+  Rows often;
+  for (const Line& line : lines_of(rows)) {
+    if (scenarios_of(line.rows).size() > 1) often.insert(often.end(), line.rows.begin(), line.rows.end());
+  }
+  Rows shared;
+  for (const TableRow* row : rows) {
+    const auto another = [&](const TableRow* other) {
+      return other->key.scenario == row->key.scenario && !same_observer(other->key, row->key);
+    };
+    const bool counts = std::find(often.begin(), often.end(), row) != often.end();
+    if (counts && std::any_of(often.begin(), often.end(), another)) shared.push_back(row);
+  }
+  return shared;
+}
+
 TableBlock summary_block(const CellKey& set, const std::vector<Line>& lines,
                          const std::vector<std::string>& scenarios) {
   TableBlock block{on_one_line("summary: " + set_name(set)),
@@ -147,7 +165,8 @@ std::vector<TableBlock> summary_blocks(const std::vector<TableRow>& rows) {
     }
   }
   std::vector<TableBlock> blocks;
-  for (const Rows& set : sets) {
+  for (const Rows& whole : sets) {
+    const Rows set = comparable(whole);
     const std::vector<Line> lines = lines_of(set);
     const std::vector<std::string> scenarios = scenarios_of(set);
     if (lines.size() > 1 && scenarios.size() > 1) blocks.push_back(summary_block(set.front()->key, lines, scenarios));
@@ -161,7 +180,7 @@ std::vector<std::string> summary_legend() {
       "b: "
       "foot max, medians over the seeds of the worst variant in which a run survived. !: some runs could not be run. "
       "rank: mean over scenarios and variants. Sorted by the share of runs lost, then by rank; oracles below the "
-      "rule."};
+      "rule. Observers of one scenario only are left out."};
 }
 
 }  // namespace dob

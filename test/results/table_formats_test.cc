@@ -56,12 +56,6 @@ case_1 / knee: gains paper, planner spline
   momentum  paper       1    0/2  27.6 / 36.8  9.18 / 12.2  6.15 / 8.20      -  4.20 / 5.60  185 / 247        0
   ! none (-): 1 of 2 could not be run: cannot open 50% of_it
 
-summary: gains paper, planner spline
-  observer  profile  rank  falls  undisturbed       case_1
-                                         [mm]         [mm]
-  momentum  paper     1.0    0/2               27.6 / 6.15
-  none      -         1.5    1/2          1/1    500 / - !
-
 CoM: distance)"));
 }
 

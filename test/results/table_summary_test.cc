@@ -86,10 +86,21 @@ TEST(TableSummaryTest, EachSetOfGainsHasItsOwn) {
 
 TEST(TableSummaryTest, NeedsTwoScenariosAndTwoObservers) {
   const CellResult a = survived(key("s", "", "a", "-", 1), 0.01), b = survived(key("s", "", "b", "-", 1), 0.01);
-  const CellResult c = survived(key("t", "", "a", "-", 1), 0.01);
+  const CellResult c = survived(key("t", "", "a", "-", 1), 0.01), d = survived(key("t", "", "b", "-", 1), 0.01);
   EXPECT_THAT(render_table(run_of({a, b}), {}), Not(HasSubstr("summary")));
   EXPECT_THAT(render_table(run_of({a, c}), {}), Not(HasSubstr("summary")));
-  EXPECT_THAT(render_table(run_of({a, b, c}), {}), HasSubstr("summary: "));
+  EXPECT_THAT(render_table(run_of({a, b, c, d}), {}), HasSubstr("summary: "));
+}
+
+// As the order study: it brings its own observers, and only one of the others.
+TEST(TableSummaryTest, LeavesOutObserversOfOneScenarioAndScenariosOfOneObserver) {
+  dob::Run run = batch();
+  const std::string before = summary_of(run);
+  std::vector<CellResult> cells = run.cells;
+  for (const char* observer : {"none", "order_1", "order_2"}) {
+    cells.push_back(walked(key("study", "", observer, "paper", 1), 0.010, 0.004));
+  }
+  EXPECT_EQ(summary_of(run_of(cells)), before);
 }
 
 TEST(TableSummaryTest, StandsInMarkdownAndNotWhereProgramsRead) {
