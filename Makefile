@@ -4,7 +4,7 @@ JOBS ?= $(shell nproc)
 PAPER_SET = none momentum com_wrench nonlinear_dob momentum_com oracle_full
 WERROR ?= $(if $(DOB_WERROR),$(DOB_WERROR),OFF)
 
-.PHONY: run test build setup paper everything batch-smoke order-study format clean
+.PHONY: run test build setup paper publish everything batch-smoke order-study format clean
 
 run: build
 	build/bin/dobbench run $(addprefix --observer ,$(PAPER_SET)) --profile paper --profile tuned --seeds 3 --claims --jobs $(JOBS)
@@ -25,7 +25,16 @@ PAPER_OUT ?= dobbench-results/paper
 paper: build
 	build/bin/dobbench run --profile tuned --gains paper --gains stiff --seeds 10 --jobs $(JOBS) --resume --out $(PAPER_OUT)/tuned
 	build/bin/dobbench run --observer momentum --observer com_wrench --observer nonlinear_dob --profile paper --profile matched \
-	  --gains paper --gains stiff --seeds 10 --claims --jobs $(JOBS) --resume --out $(PAPER_OUT)/profiles
+	  --gains paper --gains stiff --seeds 10 --jobs $(JOBS) --resume --out $(PAPER_OUT)/profiles
+	build/bin/dobbench table $(PAPER_OUT)/tuned --claims --recorded $(PAPER_OUT)/profiles
+	build/bin/dobbench table $(PAPER_OUT)/profiles --claims --recorded $(PAPER_OUT)/tuned
+
+# The tables of a run directory as files: make publish RUN=dobbench-results/0001 TO=results/published/paper-set
+publish: build
+	mkdir -p $(TO)
+	for format in md csv json; do \
+	  build/bin/dobbench table $(RUN) --format $$format > $(TO)/table.$$format && \
+	  build/bin/dobbench table $(RUN) --claims --format $$format > $(TO)/claims.$$format || exit $$?; done
 
 # The full product of scenarios, observers, profiles, gain sets and planners: a day and more.
 EVERYTHING_OUT ?= dobbench-results/everything
