@@ -110,9 +110,10 @@ class Answer {
     if (comparison.verdict == Verdict::kNo) no_ = true;
     if (comparison.verdict == Verdict::kNoData)
       open_.push_back(fmt::format("no runs of {} and {} compare", one, other));
-    if (!comparison.by.cut) return;
-    on_common_time_ += fmt::format("; on common time {} {}, {} {}", one, describe_all(metric_, comparison.by.a), other,
-                                   describe_all(metric_, comparison.by.b));
+    const PairedFigures& by = comparison.by;
+    if (!by.until) return;
+    on_common_time_ += fmt::format("; on common time (from {:.1f} s): {} {}, {} {}", *by.until, one,
+                                   describe_all(metric_, by.a), other, describe_all(metric_, by.b));
   }
 
   // The figures of the first, who is the one the claim is about.

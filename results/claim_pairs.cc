@@ -18,7 +18,8 @@ void add_pairs(const CellGroup& a, const CellGroup& b, std::size_t metric, Paire
       if (!pair) continue;
       figures.a.push_back(pair->a);
       figures.b.push_back(pair->b);
-      figures.cut = figures.cut || one->outcome == Outcome::kFell || other->outcome == Outcome::kFell;
+      const bool cut = one->outcome == Outcome::kFell || other->outcome == Outcome::kFell;
+      if (cut) figures.until = std::min(pair->t, figures.until.value_or(pair->t));
     }
   }
 }

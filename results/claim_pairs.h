@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,7 @@ namespace dob {
 // Figures of the same runs, in the same order.
 struct PairedFigures {
   std::vector<double> a, b;
-  bool cut = false;  // a run of some pair fell: its figures are those up to the common time
+  std::optional<double> until;  // [s] the earliest end of a common time that a fall has cut short
 };
 
 // Of every two runs of one seed that compare: on the time that both stood where the metric (index into kMetricFields)

@@ -164,6 +164,7 @@ Finding evaluate(const GrowsClaim& claim, const ClaimView& view) {
     }
     before = describe(claim.metric, to);
     finding.measured += " -> " + before;
+    if (pair.until) finding.measured += fmt::format(" (on common time from {:.1f} s)", *pair.until);
   }
   finding.measured += falls_of_cases(groups);
   finding.verdict = grows ? Verdict::kYes : Verdict::kNo;

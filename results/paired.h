@@ -35,6 +35,7 @@ std::optional<std::pair<MetricsCheckpoint, MetricsCheckpoint>> on_common_time(co
 // A metric of two runs that compare.
 struct FigurePair {
   double a, b;
+  double t;  // [s] up to when
 };
 
 // On the common time for a metric that checkpoints hold, for any other one where both survived; nullopt: they do not

@@ -136,7 +136,8 @@ TEST(OrderingClaimTest, WithEqualSharesOfFallsTheCommonTimeDecides) {
   const Finding finding = ask(claim, cells);
   EXPECT_EQ(finding.verdict, Verdict::kYes);
   EXPECT_EQ(finding.measured,
-            "a 12 mm falls 1/2 (10.3 s), b 20 mm falls 1/2 (8.4 s); on common time a 11 (12) mm, b 19.5 (20) mm");
+            "a 12 mm falls 1/2 (10.3 s), b 20 mm falls 1/2 (8.4 s); on common time (from 8.0 s): a 11 (12) mm, b 19.5 "
+            "(20) mm");
   EXPECT_EQ(ask(OrderingClaim{{{"b"}, {"a"}}, kCom, 1.0}, cells).verdict, Verdict::kNo);
 }
 
@@ -172,7 +173,7 @@ TEST(SimilarClaimTest, AFallIsOfNoAccount) {
   const CellResult walks = cell("b", 1, com(0.5), {checkpoint(4.0, 0.012), checkpoint(4.5, 0.1)});
   const Finding yes = ask(claim, {falls(0.010), walks});
   EXPECT_EQ(yes.verdict, Verdict::kYes);
-  EXPECT_EQ(yes.measured, "a falls 1/1 (4.2 s), b 500 mm; on common time a 10 mm, b 12 mm");
+  EXPECT_EQ(yes.measured, "a falls 1/1 (4.2 s), b 500 mm; on common time (from 4.0 s): a 10 mm, b 12 mm");
   EXPECT_EQ(ask(claim, {falls(0.030), walks}).verdict, Verdict::kNo);
   EXPECT_EQ(ask(claim, {fallen("a", 1, 0.3, com(0.010)), walks}).verdict, Verdict::kNoData);
 }
@@ -274,7 +275,7 @@ TEST(GrowsClaimTest, AFallConfirmsNothing) {
   const std::vector<CellResult> falls{fallen("momentum", 1, 4.2, com(0.3), {checkpoint(4.0, 0.009)})};
   const Finding finding = ask_growth({walks, falls});
   EXPECT_EQ(finding.verdict, Verdict::kNo);
-  EXPECT_EQ(finding.measured, "10 mm -> 9 mm, sweep/1 falls 1/1 (4.2 s)");
+  EXPECT_EQ(finding.measured, "10 mm -> 9 mm (on common time from 4.0 s), sweep/1 falls 1/1 (4.2 s)");
   EXPECT_EQ(ask_growth({falls, walks}).verdict, Verdict::kYes);
 }
 
