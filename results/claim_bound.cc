@@ -32,6 +32,7 @@ BoundClaim read_bound(Reader& reader, const std::string& subject) {
   if (!reader.has("at_least" + unit) && !reader.has("at_most" + unit) && !reader.has("below" + unit)) {
     reader.text("below" + unit);  // reported as missing, unless it is there under a wrong name
   }
+  claim.or_fall = reader.flag("or_fall", false);
   return claim;
 }
 
@@ -41,7 +42,8 @@ Finding evaluate(const BoundClaim& claim, const ClaimView& view) {
   count_falls(groups, finding);
   if (finding.runs == 0) return no_data(fmt::format("{} has not been run", view.name_of(claim.observer)));
   const std::vector<Sample> samples = samples_of(groups, claim.metric);
-  if (samples.empty() && finding.falls == 0) return no_data("the metric does not apply to any run");
+  const int judged_by_fall = claim.or_fall ? finding.runs : 1;  // that many falls need no figure
+  if (samples.empty() && finding.falls < judged_by_fall) return no_data("the metric does not apply to any run");
   const auto worst = std::max_element(samples.begin(), samples.end(), [&](const Sample& a, const Sample& b) {
     return excess(claim, a.value) < excess(claim, b.value);
   });
@@ -52,7 +54,7 @@ Finding evaluate(const BoundClaim& claim, const ClaimView& view) {
     if (groups.size() > 1) finding.measured += fmt::format(", worst in {}", case_name(worst->group->key));
   }
   if (finding.falls > 0) finding.measured += (finding.measured.empty() ? "" : ", ") + describe_falls(finding);
-  const bool kept = finding.falls == 0 && holds(claim, *finding.worst);
+  const bool kept = (claim.or_fall || finding.falls == 0) && (samples.empty() || holds(claim, *finding.worst));
   finding.verdict = kept ? Verdict::kYes : Verdict::kNo;
   finding.settled = !kept;
   return finding;

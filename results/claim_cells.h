@@ -59,6 +59,7 @@ class ClaimView {
   const CellGroup* group(const std::string& case_name, const std::string& observer) const;
   // The name under which an observer is found.
   const std::string& name_of(const std::string& observer) const;
+  const Setting& setting() const noexcept { return setting_; }
 
  private:
   const CellGroups* cells_;

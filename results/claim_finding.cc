@@ -48,6 +48,7 @@ std::vector<Sample> samples_of(const std::vector<const CellGroup*>& groups, std:
   std::vector<Sample> samples;
   for (const CellGroup* group : groups) {
     for (const CellResult* cell : group->ran) {
+      if (cell->outcome != Outcome::kSurvived) continue;
       if (const auto value = kMetricFields.at(metric).of(cell->metrics)) samples.push_back({*value, group});
     }
   }

@@ -33,7 +33,8 @@ struct Sample {
   const CellGroup* group;
 };
 
-// Of every run that has the metric (index into kMetricFields), those that fell included.
+// Of every run that survived and has the metric (index into kMetricFields): figures of a run that fell are those of its
+// fall.
 std::vector<Sample> samples_of(const std::vector<const CellGroup*>& groups, std::size_t metric);
 
 // The median of samples; nullopt without any.

@@ -1,18 +1,9 @@
 #include "results/claim_metrics.h"
 
-#include <cmath>
-
 #include "results/foot_errors.h"
+#include "results/running_mean.h"
 
 namespace dob {
-namespace {
-
-std::optional<double> if_finite(std::optional<double> x) noexcept {
-  return x && std::isfinite(*x) ? x : std::nullopt;
-}
-
-}  // namespace
-
 ClaimMetrics::ClaimMetrics(std::optional<Leg> metric_leg, double dt)
     : metric_leg_(metric_leg), step_(dt), pulse_(metric_leg, dt) {}
 
@@ -30,18 +21,18 @@ void ClaimMetrics::add(const TickRecord& tick) noexcept {
 }
 
 void ClaimMetrics::write(CellMetrics& metrics) const noexcept {
-  metrics.estimate_overshoot = if_finite(step_.overshoot());
-  metrics.estimate_settling_s = if_finite(step_.settling_s());
+  metrics.estimate_overshoot = finite(step_.overshoot());
+  metrics.estimate_settling_s = finite(step_.settling_s());
   const PulsePeaks peaks = pulse_.finish();
-  metrics.com_peak_before_m = if_finite(peaks.com_before);
-  metrics.com_peak_push_m = if_finite(peaks.com_first);
-  metrics.com_peak_recovery_m = if_finite(peaks.com_second);
-  metrics.foot_peak_push_m = if_finite(peaks.foot_push);
-  metrics.foot_peak_rest_m = if_finite(peaks.foot_rest);
-  metrics.com_error_swing_max_m = if_finite(com_in_swing_);
-  metrics.com_error_stance_max_m = if_finite(com_in_stance_);
+  metrics.com_peak_before_m = finite(peaks.com_before);
+  metrics.com_peak_push_m = finite(peaks.com_first);
+  metrics.com_peak_recovery_m = finite(peaks.com_second);
+  metrics.foot_peak_push_m = finite(peaks.foot_push);
+  metrics.foot_peak_rest_m = finite(peaks.foot_rest);
+  metrics.com_error_swing_max_m = finite(com_in_swing_);
+  metrics.com_error_stance_max_m = finite(com_in_stance_);
   if (error_ticks_ > 0) {
-    metrics.estimate_offset_Nm = if_finite((error_sum_ / static_cast<double>(error_ticks_)).norm());
+    metrics.estimate_offset_Nm = finite((error_sum_ / static_cast<double>(error_ticks_)).norm());
   }
 }
 

@@ -13,11 +13,12 @@ namespace {
 
 constexpr std::size_t kOffset = metric_index("estimate_offset_Nm");
 
-// Over every run with an estimate, the smallest share; nullopt without any.
+// Over every run that survived and has an estimate, the smallest share; nullopt without any.
 std::optional<double> least_share(const std::vector<const CellGroup*>& groups) {
   std::optional<double> least;
   for (const CellGroup* group : groups) {
     for (const CellResult* cell : group->ran) {
+      if (cell->outcome != Outcome::kSurvived) continue;
       const CellMetrics& m = cell->metrics;
       if (!m.estimate_offset_Nm || !m.joint_estimate_rmse_Nm || !(*m.joint_estimate_rmse_Nm > 0.0)) continue;
       const double share = *m.estimate_offset_Nm / *m.joint_estimate_rmse_Nm;
@@ -43,7 +44,8 @@ Finding evaluate(const OffsetClaim& claim, const ClaimView& view) {
   const std::vector<Sample> offsets = samples_of(groups, kOffset);
   const std::optional<double> share = least_share(groups);
   const std::vector<Sample> without = reference == nullptr ? std::vector<Sample>{} : samples_of({reference}, kOffset);
-  if (offsets.empty() || !share) return no_data(fmt::format("no estimate of {}", view.name_of(claim.observer)));
+  if (offsets.empty() || !share)
+    return no_data(fmt::format("no run of {} that survived has an estimate", view.name_of(claim.observer)));
   if (without.empty()) return no_data(fmt::format("no figure of {} to compare with", claim.reference));
   Finding finding;
   count_falls(groups, finding);
@@ -53,6 +55,7 @@ Finding evaluate(const OffsetClaim& claim, const ClaimView& view) {
   finding.measured = fmt::format("offset {}, {:.0f} % of the rms error; {}: {}",
                                  describe(kOffset, *finding.median, *finding.worst, offsets.size()), 100.0 * *share,
                                  claim.reference, describe(kOffset, *median_of(without)));
+  if (finding.falls > 0) finding.measured += ", " + describe_falls(finding);
   const bool holds = *finding.median > *median_of(without) && *share >= claim.share_at_least;
   finding.verdict = holds ? Verdict::kYes : Verdict::kNo;
   return finding;

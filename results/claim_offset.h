@@ -19,7 +19,8 @@ struct OffsetClaim {
 OffsetClaim read_offset(Reader& reader, const std::string& subject);
 
 // Judges the norm of the mean of F_hat minus the truth (estimate_offset_Nm). Holds if its median is larger than in the
-// reference case, and in every run at least share_at_least of the error's root mean square (joint_estimate_rmse_Nm).
+// reference case, and in every run that survived at least share_at_least of the error's root mean square
+// (joint_estimate_rmse_Nm).
 Finding evaluate(const OffsetClaim& claim, const ClaimView& view);
 
 }  // namespace dob

@@ -29,11 +29,13 @@ OrderingClaim read_ordering(Reader& reader, const std::string& subject);
 SimilarClaim read_similar(Reader& reader, const std::string& subject);
 
 // Falls count first: the observer with the larger share of falls is worse; if all runs of both fall, the one that falls
-// earlier. Otherwise the worst figures over seeds and cases are compared.
+// earlier. Otherwise the worst figures over seeds and cases are compared, of runs paired by case and seed
+// (results/claim_pairs.h).
 Finding evaluate(const OrderingClaim& claim, const ClaimView& view);
 
-// Holds if the largest of the worst figures is at most within_ratio times the smallest. Over unequal stretches of time
-// figures do not compare: a fall of any of them, unless all runs of all fall, is a no.
+// Holds if of every two observers the larger of the worst figures is at most within_ratio times the smaller, of runs
+// paired by case and seed (results/claim_pairs.h). Falls are of no account: one observer may walk on where another one,
+// much like it until then, falls.
 Finding evaluate(const SimilarClaim& claim, const ClaimView& view);
 
 }  // namespace dob

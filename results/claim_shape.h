@@ -36,11 +36,12 @@ GrowsClaim read_grows(Reader& reader, const std::string& subject);
 // Holds if every run survives and has both peaks, each above everything in the second before the pulse.
 Finding evaluate(const TwoPeaksClaim& claim, const ClaimView& view);
 
-// Holds if the largest `metric` over seeds and cases is above the largest `than`. Falls are of no account: it is the
-// runs up to the fall that are compared.
+// Holds if in every run that survived and has both metrics `metric` is above `than`. Shown is the run with the smallest
+// ratio of the two. The largest errors of a run that fell are those of its fall.
 Finding evaluate(const LargerClaim& claim, const ClaimView& view);
 
-// Holds if the median over seeds is larger in every case than in the one before. Falls are of no account either.
+// Holds if the median over seeds is larger in every case than in the one before, of runs of the two paired by seed
+// (results/claim_pairs.h). No data where no pair compares, or all runs of a case fell within their first second.
 Finding evaluate(const GrowsClaim& claim, const ClaimView& view);
 
 }  // namespace dob

@@ -3,18 +3,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "results/store_json.h"
+#include "results/data_values.h"
 
 namespace dob {
 namespace {
-
-Json number_or_null(const std::optional<double>& x) {
-  return x ? Json(*x) : Json();
-}
-
-Json text_or_null(const std::string& text) {
-  return text.empty() ? Json() : Json(text);
-}
 
 Json holds(Verdict verdict) {
   return verdict == Verdict::kNoData ? Json() : Json(verdict == Verdict::kYes);
@@ -53,16 +45,6 @@ Json row_to_json(const ClaimRow& row) {
           {"ours_measured", row.ours ? Json(row.ours->measured) : Json()},
           {"ours_holds", row.ours ? holds(row.ours->verdict) : Json()},
           {"note", row.note}};
-}
-
-std::string csv_value(const Json& value) {
-  if (value.is_null()) return "";
-  if (!value.is_string()) return one_line(value);
-  const auto text = value.get<std::string>();
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + '"';
 }
 
 std::string csv_line(const Json& row, bool names) {

@@ -17,31 +17,11 @@ constexpr double kTolerance = 0.05;  // share by which every one of a few pairs 
 
 using Cells = std::map<CellKey, const CellResult*>;
 
-struct Pair {
-  double a, b;
-};
-
-std::optional<Pair> metric_of(const CellResult& a, const CellResult& b, const MetricField& metric) {
-  const auto checkpoint = std::find_if(kPairedMetrics.begin(), kPairedMetrics.end(),
-                                       [&](const PairedMetric& paired) { return paired.name == metric.name; });
-  std::optional<double> in_a, in_b;
-  if (checkpoint != kPairedMetrics.end()) {
-    if (const auto both = on_common_time(a, b)) {
-      in_a = both->first.*checkpoint->value;
-      in_b = both->second.*checkpoint->value;
-    }
-  } else if (a.outcome == Outcome::kSurvived && b.outcome == Outcome::kSurvived) {
-    in_a = metric.of(a.metrics);
-    in_b = metric.of(b.metrics);
-  }
-  return in_a && in_b ? std::optional(Pair{*in_a, *in_b}) : std::nullopt;
-}
-
-std::string regression_of(const ComparedRow& row, const std::vector<Pair>& pairs) {
+std::string regression_of(const ComparedRow& row, const std::vector<FigurePair>& pairs) {
   if (row.errors_b > row.errors_a) return "more cells could not be run";
   if (row.falls_b > row.falls_a) return "more falls";
   if (row.difference.ci95) return row.difference.ci95->low > 0.0 ? "the whole interval is above zero" : "";
-  const auto worse = [](const Pair& pair) { return pair.b > (1.0 + kTolerance) * pair.a; };
+  const auto worse = [](const FigurePair& pair) { return pair.b > (1.0 + kTolerance) * pair.a; };
   const bool all = !pairs.empty() && std::all_of(pairs.begin(), pairs.end(), worse);
   return all ? fmt::format("every run is worse by more than {:.0f} %", 100.0 * kTolerance) : "";
 }
@@ -49,7 +29,7 @@ std::string regression_of(const ComparedRow& row, const std::vector<Pair>& pairs
 ComparedRow compare_row(const CellKey& key, const std::vector<std::pair<const CellResult*, const CellResult*>>& cells,
                         const MetricField& metric) {
   ComparedRow row{.key = key, .difference = {}, .regression = {}};
-  std::vector<Pair> pairs;
+  std::vector<FigurePair> pairs;
   std::vector<double> differences;
   for (const auto& [a, b] : cells) {
     ++row.cells;
@@ -57,7 +37,7 @@ ComparedRow compare_row(const CellKey& key, const std::vector<std::pair<const Ce
     row.falls_b += b->outcome == Outcome::kFell ? 1 : 0;
     row.errors_a += a->outcome == Outcome::kError ? 1 : 0;
     row.errors_b += b->outcome == Outcome::kError ? 1 : 0;
-    const std::optional<Pair> pair = metric_of(*a, *b, metric);
+    const std::optional<FigurePair> pair = paired_figures(*a, *b, metric);
     if (!pair) continue;
     pairs.push_back(*pair);
     differences.push_back(pair->b - pair->a);

@@ -1,5 +1,6 @@
 #include "results/paired.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dob {
@@ -19,6 +20,24 @@ std::optional<std::pair<MetricsCheckpoint, MetricsCheckpoint>> on_common_time(co
     }
   }
   return std::nullopt;
+}
+
+std::optional<FigurePair> paired_figures(const CellResult& a, const CellResult& b, const MetricField& metric) {
+  const auto checkpoint = std::find_if(kPairedMetrics.begin(), kPairedMetrics.end(),
+                                       [&](const PairedMetric& paired) { return paired.name == metric.name; });
+  std::optional<double> in_a, in_b;
+  double t = std::min(a.simulated_s, b.simulated_s);
+  if (checkpoint != kPairedMetrics.end()) {
+    if (const auto both = on_common_time(a, b)) {
+      in_a = both->first.*checkpoint->value;
+      in_b = both->second.*checkpoint->value;
+      t = both->first.t;
+    }
+  } else if (a.outcome == Outcome::kSurvived && b.outcome == Outcome::kSurvived) {
+    in_a = metric.of(a.metrics);
+    in_b = metric.of(b.metrics);
+  }
+  return in_a && in_b ? std::optional(FigurePair{*in_a, *in_b, t}) : std::nullopt;
 }
 
 PairedDifference summarise_differences(const std::vector<double>& differences) {

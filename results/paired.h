@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "results/cell.h"
+#include "results/metric_fields.h"
 #include "results/statistics.h"
 
 namespace dob {
@@ -30,6 +31,16 @@ inline constexpr std::array kPairedMetrics{
 // the last whole 0.5 s before the first of them fell, so that the fall itself, which one of them did not have, stays
 // out. Nothing is interpolated. nullopt when there is no such moment, or one of them could not be run.
 std::optional<std::pair<MetricsCheckpoint, MetricsCheckpoint>> on_common_time(const CellResult& a, const CellResult& b);
+
+// A metric of two runs that compare.
+struct FigurePair {
+  double a, b;
+  double t;  // [s] up to when
+};
+
+// On the common time for a metric that checkpoints hold, for any other one where both survived; nullopt: they do not
+// compare.
+std::optional<FigurePair> paired_figures(const CellResult& a, const CellResult& b, const MetricField& metric);
 
 // Of b - a over pairs.
 struct PairedDifference {

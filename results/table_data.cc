@@ -1,21 +1,13 @@
 #include <fmt/format.h>
 
-#include "results/store_json.h"
+#include "results/data_values.h"
 #include "results/table_formats.h"
 
 namespace dob {
 namespace {
 
-Json number_or_null(const std::optional<double>& x) {
-  return x ? Json(*x) : Json();
-}
-
 Json interval_or_null(const std::optional<Interval>& x) {
   return x ? Json::array({x->low, x->high}) : Json();
-}
-
-Json text_or_null(const std::string& text) {
-  return text.empty() ? Json() : Json(text);
 }
 
 void add_metric(Json& json, std::string_view metric, const MetricSummary& summary) {
@@ -80,21 +72,6 @@ Json shadow_to_json(const ShadowRow& row) {
     add_metric(json, kEstimateMetrics[i].name, row.metrics[i]);
   }
   return json;
-}
-
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"') out += '"';
-    out += c;
-  }
-  return out + '"';
-}
-
-std::string csv_value(const Json& value) {
-  if (value.is_null()) return "";
-  return value.is_string() ? quoted(value.get<std::string>()) : one_line(value);
 }
 
 bool is_interval(const std::string& name) {

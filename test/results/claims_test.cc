@@ -116,6 +116,45 @@ TEST_F(ClaimsTest, MissingRunsLeaveAYesOpenButNotANo) {
   EXPECT_EQ(evaluate_claims(set, run).at(0).finding.verdict, Verdict::kNo);
 }
 
+TEST_F(ClaimsTest, AnOffsetLacksItsReferenceRunsToo) {
+  const std::string offset = with(with(kBound, "\"bound\"\nmetric = \"com_error_max_m\"\nat_most_m = 0.01",
+                                       "\"offset\"\nreference = \"case4\"\nshare_at_least = 0.5"),
+                                  "case1/*", "case5");
+  const auto run_with = [](double offset_Nm, CellResult cell) {
+    cell.metrics.estimate_offset_Nm = offset_Nm;
+    cell.metrics.joint_estimate_rmse_Nm = 2.5;
+    return cell;
+  };
+  const dob::Run run = run_of({run_with(0.1, survived(key("case4", "", "momentum", "paper", 1), 0.01)),
+                               test::failed(key("case4", "", "momentum", "paper", 2), "crashed"),
+                               run_with(2.0, survived(key("case5", "", "momentum", "paper", 1), 0.01))});
+  const ClaimSet set = load(kHead + offset);
+  const ClaimRow row = evaluate_claims(set, run).at(0);
+  EXPECT_EQ(row.finding.verdict, Verdict::kNoData);
+  EXPECT_THAT(row.note, HasSubstr("1 runs are missing"));
+}
+
+TEST_F(ClaimsTest, AnotherDurationLeavesFallsOpen) {
+  const std::string kind = "\"bound\"\nmetric = \"com_error_max_m\"\nat_most_m = 0.01";
+  const ClaimSet set =
+      load(kHead + with(kBound, kind, "\"survive\"") + with(with(kBound, kind, "\"fall\""), "\"one\"", "\"two\"") +
+           with(kBound, "\"one\"", "\"three\""));
+  const auto verdicts = [&](const std::string& overrides) {
+    CellKey shortened = key("case1", "knee", "momentum", "paper", 1);
+    shortened.overrides = overrides;
+    const dob::Run run = run_of({survived(shortened, 0.003)});
+    std::vector<Verdict> all;
+    for (const ClaimRow& row : evaluate_claims(set, run)) all.push_back(row.finding.verdict);
+    return all;
+  };
+  const auto open = ElementsAre(Verdict::kNoData, Verdict::kNoData, Verdict::kYes);
+  EXPECT_THAT(verdicts("duration_s=5"), open);
+  EXPECT_THAT(verdicts("controller.friction=0.4; duration_s=5"), open);
+  EXPECT_THAT(verdicts("path.0.duration_s=5"), open);
+  EXPECT_THAT(verdicts("controller.friction=0.4; disturbance.0.duration_s=5"),
+              ElementsAre(Verdict::kYes, Verdict::kNo, Verdict::kYes));
+}
+
 TEST_F(ClaimsTest, NoteOfANoNamesTheContrastsOfTheRunAndOfRecordedOnes) {
   const std::string contrasts =
       "contrast = [{ observer = \"oracle_legs\" }, { profile = \"matched\" }, { gains = \"stiff\" }, { planner = "
@@ -134,6 +173,27 @@ TEST_F(ClaimsTest, NoteOfANoNamesTheContrastsOfTheRunAndOfRecordedOnes) {
       rows[0].note,
       "also fails with oracle_legs (17.3 mm); holds with profile matched (9.9 mm), gains stiff (9.6 mm, recorded)");
   EXPECT_EQ(rows[1].note, "");  // it holds
+}
+
+// What comes of blocks above the step is one sentence of the paper: robots that fall and robots that are held up are
+// both a yes, one that walks past them is a no.
+TEST(PaperClaims, BlocksAboveTheStepAreOneClaim) {
+  const auto verdicts = [](std::vector<CellResult> cells) {
+    const ClaimSet set = load_claims(paper_claims_file());
+    const dob::Run run = run_of(std::move(cells));
+    std::vector<Verdict> all;
+    for (const ClaimRow& row : evaluate_claims(set, run)) {
+      if (row.planned) all.push_back(row.finding.verdict);
+    }
+    return all;
+  };
+  const auto block = [](int seed) { return key("block_height_sweep", "h_06", "momentum", "paper", seed); };
+  CellResult held_up = survived(block(1), 0.004), walks = survived(block(2), 0.004);
+  held_up.metrics.path_error_max_m = 1.9;
+  walks.metrics.path_error_max_m = 0.08;
+  const CellResult falls = fell(block(3), 12.0, 0.3);
+  EXPECT_THAT(verdicts({held_up, falls}), ElementsAre(Verdict::kYes));
+  EXPECT_THAT(verdicts({held_up, falls, walks}), ElementsAre(Verdict::kNo));
 }
 
 // A slip of the pen there would read "not part of this run" for ever.
