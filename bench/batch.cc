@@ -1,8 +1,10 @@
 #include "bench/batch.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <set>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -12,6 +14,9 @@
 #include "bench/tick_log.h"
 #include "bench/trial.h"
 #include "bench/worker_pool.h"
+#include "observers/pair.h"
+#include "observers/plugin.h"
+#include "results/fingerprint.h"
 #include "scenarios/input_error.h"
 #include "scenarios/loader.h"
 
@@ -130,6 +135,35 @@ class Batch {
   std::vector<bool> first_seed_;    // of its row in the tables, for every cell of the plan
 };
 
+// How a cell's observers are made, with fingerprints of the libraries they come from: one that has been built anew is
+// another observer.
+class ObserverSources {
+ public:
+  std::string source_of(const PlannedCell& cell) {
+    std::string source;
+    add_libraries(source, cell.observer);
+    for (const ObserverConfig& shadow : cell.shadows) add_libraries(source, shadow);
+    return source + observer_toml(cell.observer, cell.shadows);
+  }
+
+ private:
+  void add_libraries(std::string& source, const ObserverConfig& observer) {
+    const auto pair = parse_pair_name(observer.observer);
+    const auto parts = pair ? std::vector{pair->legs, pair->com} : std::vector{std::string_view(observer.observer)};
+    for (const std::string_view part : parts) {
+      if (is_plugin_path(part)) source += fmt::format("# {} holds {}\n", part, held_by(std::string(part)));
+    }
+  }
+
+  const std::string& held_by(const std::string& library) {
+    const auto [it, added] = held_.emplace(library, "");
+    if (added) it->second = file_fingerprint(library);
+    return it->second;
+  }
+
+  std::map<std::string, std::string> held_;  // library -> fingerprint
+};
+
 }  // namespace
 
 RunInfo run_info(const BatchPlan& plan, const std::string& command_line) {
@@ -143,11 +177,10 @@ RunInfo run_info(const BatchPlan& plan, const std::string& command_line) {
                .machine = this_machine(),
                .date = utc_now(),
                .cells = {}};
+  ObserverSources observers;
   for (const PlannedCell& cell : plan.cells) {
     info.cells.push_back(cell.key);
-    std::string observers = profile_toml({cell.observer});
-    if (!cell.shadows.empty()) observers += "\n# shadows\n" + profile_toml(cell.shadows);
-    info.sources.push_back({plan.resolved[cell.scenario].name, std::move(observers)});
+    info.sources.push_back({plan.resolved[cell.scenario].name, observers.source_of(cell)});
   }
   return info;
 }

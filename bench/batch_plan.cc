@@ -9,10 +9,13 @@
 
 #include "bench/trial.h"
 #include "observers/factory.h"
+#include "results/fingerprint.h"
 #include "scenarios/loader.h"
 
 namespace dob {
 namespace {
+
+constexpr std::size_t kMaxCells = 1'000'000;  // a year of computing, a gigabyte of plan
 
 std::vector<std::string> or_paper_set(const std::vector<std::string>& asked) {
   if (!asked.empty()) return asked;
@@ -76,6 +79,8 @@ std::size_t add_scenario(BatchPlan& plan, const Scenario& scenario, const Scenar
   ResolvedScenario resolved{
       fmt::format("{}{}{}_{}", scenario.name, scenario.variant.empty() ? "" : "_", scenario.variant, wanted.gains),
       resolved_toml(wanted, scenario.variant)};
+  // The document names the file only: of another robot in it the run is another one.
+  resolved.toml += fmt::format("\n# robot.urdf holds {}\n", file_fingerprint(scenario.robot.urdf));
   for (std::size_t i = 0; i < plan.resolved.size(); ++i) {
     if (plan.resolved[i].name != resolved.name) continue;
     if (plan.resolved[i].toml == resolved.toml) return i;
@@ -113,7 +118,7 @@ std::vector<ObserverConfig> load_shadows(const BatchRequest& request, double dt)
   const std::string profile = request.profiles.empty() ? "matched" : request.profiles.front();
   std::vector<ObserverConfig> shadows;
   for (const std::string& specification : request.shadows) {
-    ObserverConfig shadow = load_observer(specification, profile, dt);
+    ObserverConfig shadow = load_observer(specification, profile, dt, {"--shadow " + specification});
     const auto same = [&](const ObserverConfig& other) { return other.label == shadow.label; };
     if (std::none_of(shadows.begin(), shadows.end(), same)) shadows.push_back(std::move(shadow));
   }
@@ -126,6 +131,24 @@ std::vector<ObserverConfig> without(std::vector<ObserverConfig> shadows, const O
     return shadow.label == in_the_loop.label && shadow.profile == in_the_loop.profile;
   });
   return shadows;
+}
+
+// Each once: gain sets and variants share what their file says. Seed 1 shifts nothing.
+void add_warnings(BatchPlan& plan, const Scenario& scenario, const ScenarioRequest& wanted, bool shifted) {
+  for (std::string& late : late_loads(wanted, scenario.variant, shifted)) {
+    if (std::find(plan.warnings.begin(), plan.warnings.end(), late) == plan.warnings.end()) {
+      plan.warnings.push_back(std::move(late));
+    }
+  }
+}
+
+// Before they are made: a slip of the keyboard is not to cost the memory.
+void require_room(const BatchPlan& plan, const BatchRequest& request, std::size_t observers) {
+  const long seeds = static_cast<long>(request.last_seed) - request.first_seed + 1;
+  const std::size_t cells = plan.cells.size() + observers * static_cast<std::size_t>(std::max(seeds, 0L));
+  if (cells <= kMaxCells) return;
+  throw InputError(
+      fmt::format("--seeds: {} seeds make {} cells or more; allowed: {} cells in one batch", seeds, cells, kMaxCells));
 }
 
 }  // namespace
@@ -157,12 +180,15 @@ BatchPlan plan_batch(const BatchRequest& request) {
       const ScenarioRequest wanted{name, gains, request.planner, request.overrides};
       for (const Scenario& scenario : load_scenarios(wanted)) {
         const std::size_t index = add_scenario(plan, scenario, wanted);
+        add_warnings(plan, scenario, wanted, request.last_seed > 1);
         const std::vector<ObserverConfig> shadows = load_shadows(request, scenario.sim.dt);
         for (const ObserverConfig& shadow : shadows) require_one_meaning(shadow, called);
-        for (const ObserverConfig& observer : load_observers(lineup, scenario.sim.dt)) {
+        const std::vector<ObserverConfig> observers = load_observers(lineup, scenario.sim.dt);
+        require_room(plan, request, observers.size());
+        for (const ObserverConfig& observer : observers) {
           require_one_meaning(observer, called);
-          for (int seed = request.first_seed; seed <= request.last_seed; ++seed) {
-            const CellKey key = key_of(scenario, observer, wanted, seed);
+          for (long seed = request.first_seed; seed <= request.last_seed; ++seed) {
+            const CellKey key = key_of(scenario, observer, wanted, static_cast<int>(seed));
             if (planned.insert(key).second) plan.cells.push_back({key, index, observer, without(shadows, observer)});
           }
         }

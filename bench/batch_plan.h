@@ -35,13 +35,14 @@ struct BatchPlan {
   std::vector<Scenario> scenarios;         // one for each scenario, variant and gain set
   std::vector<ResolvedScenario> resolved;  // their resolved files, for the run directory
   std::vector<PlannedCell> cells;          // in the order of the tables; no cell twice
+  std::vector<std::string> warnings;       // what can be run and is hardly meant: late_loads()
 };
 
 // The observers of a list "NAME[:key=value,...],NAME,...": a part with an '=' and no ':' before it is an option of the
 // observer before it, except "legs=", which begins a pair.
 std::vector<std::string> split_specifications(const std::string& list);
 
-// Throws InputError for the first thing that cannot be run.
+// Throws InputError for the first thing that cannot be run, and for more than a million cells.
 BatchPlan plan_batch(const BatchRequest& request);
 
 }  // namespace dob

@@ -20,7 +20,10 @@ std::string check_robot(const std::string& file) {
 // With its own gains, then as a batch plans it: its own observers, a pose that the legs can reach.
 std::string check_scenario(const std::string& file) {
   const ScenarioInfo info = scenario_info(file);
-  load_scenarios({.name = file});
+  for (const Scenario& scenario : load_scenarios({.name = file})) {
+    const std::vector<std::string> late = late_loads({.name = file}, scenario.variant, true);
+    if (!late.empty()) throw InputError(late.front());
+  }
   BatchRequest request{.scenarios = {file}};
   if (info.observers.empty()) request.observers = {"none"};
   const BatchPlan plan = plan_batch(request);

@@ -19,9 +19,12 @@
 namespace dob {
 namespace {
 
-constexpr std::array kOperational{"--resume", "--retry-errors", "--out", "--jobs", "--timeout", "--claims"};
+constexpr int kMaxSeed = 1'000'000;
 
-// What was asked for is data; what it is done with (kOperational) is not.
+// What was asked for is data; what it is done with, and which time series it leaves behind, is not.
+constexpr std::array kOperational{"--resume", "--retry-errors", "--out", "--jobs",    "--timeout",
+                                  "--claims", "--keep",         "--log", "--log-rate"};
+
 struct Arguments {
   BatchRequest request;
   BatchOptions options;
@@ -35,8 +38,9 @@ struct Arguments {
 int parse_seed(std::string_view text, const std::string& whole) {
   int seed = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
-  if (error != std::errc{} || end != text.data() + text.size() || seed < 1) {
-    throw InputError(fmt::format("--seeds {}: allowed: N for the seeds 1 to N, or A..B with 1 <= A <= B", whole));
+  if (error != std::errc{} || end != text.data() + text.size() || seed < 1 || seed > kMaxSeed) {
+    throw InputError(fmt::format("--seeds {}: allowed: N for the seeds 1 to N, or A..B with 1 <= A <= B; up to {}",
+                                 whole, kMaxSeed));
   }
   return seed;
 }
@@ -81,20 +85,32 @@ bool asks_for_nothing(const CLI::App& command) {
   return options.empty();
 }
 
-// `run --resume --out DIR` alone goes on with what began the run.
-void take_plan_of_run(Arguments& arguments) {
-  Arguments stored = arguments_of_run(arguments.options.out);
-  const double log_rate = stored.options.log_rate;
-  stored.claims = arguments.claims;
-  stored.options = arguments.options;
-  stored.options.log_rate = log_rate;
-  arguments = stored;
+// `run --resume --out DIR` alone goes on with what began the run, and with the time series that were asked for then.
+void take_plan_of_run(Arguments& arguments, const CLI::App& command) {
+  const std::filesystem::path& dir = arguments.options.out;
+  if (dir.empty()) throw InputError("--resume: needs --out DIR");
+  if (!is_run_directory(dir)) {
+    throw InputError(
+        fmt::format("--resume: {} holds no run to go on with; to begin one there, say what to run", dir.string()));
+  }
+  Arguments stored = arguments_of_run(dir);
+  if (command.count("--keep") == 0) arguments.keep = stored.keep;
+  if (command.count("--log") == 0) arguments.log = stored.log;
+  if (command.count("--log-rate") == 0) arguments.options.log_rate = stored.options.log_rate;
+  arguments.request = std::move(stored.request);
+  arguments.shadows = std::move(stored.shadows);
+  arguments.seeds = std::move(stored.seeds);
+}
+
+void warn(const std::vector<std::string>& warnings) {
+  if (warnings.empty()) return;
+  const std::string more = warnings.size() > 1 ? fmt::format(" (and {} more)", warnings.size() - 1) : "";
+  fmt::print(stderr, "dobbench: a disturbance that never acts: {}{}\n", warnings.front(), more);
 }
 
 int run(Arguments& arguments, const CLI::App& command) {
-  if (arguments.options.resume && is_run_directory(arguments.options.out) && asks_for_nothing(command)) {
-    take_plan_of_run(arguments);
-  }
+  if (arguments.options.resume && asks_for_nothing(command)) take_plan_of_run(arguments, command);
+  if (command.count("--log-rate") > 0 && arguments.log != "csv") throw InputError("--log-rate: needs --log csv");
   read_seeds(arguments.seeds, arguments.request);
   for (const std::string& list : arguments.shadows) {
     for (std::string& shadow : split_specifications(list)) arguments.request.shadows.push_back(std::move(shadow));
@@ -103,6 +119,7 @@ int run(Arguments& arguments, const CLI::App& command) {
   arguments.options.keep = arguments.keep;
   arguments.options.progress = ::isatty(STDERR_FILENO) == 1;
   const BatchPlan plan = plan_batch(arguments.request);
+  warn(plan.warnings);
   const BatchSummary summary = run_batch(plan, arguments.options);
   const Run finished = read_run(summary.dir);
   fmt::print("{}", render_table(finished, {}));
@@ -137,8 +154,8 @@ CLI::App* add_options(CLI::App& app, Arguments* arguments) {
       command->add_option("--out", options.out, "run directory, new or empty (default dobbench-results/NNNN)");
   CLI::Option* resume = command->add_flag(
       "--resume", options.resume,
-      "go on with the run in --out, by the same program and with the same arguments (none: those that began it), or "
-      "begin it; cells that could not be run stay as they are");
+      "go on with the run in --out, by the same program and with the same arguments, or begin it; without arguments, "
+      "only go on, with those that began it; cells that could not be run stay as they are");
   resume->needs(out);
   command->add_flag("--retry-errors", options.retry_errors, "run those cells again")->needs(resume);
   command->add_option("--log", arguments->log, "csv: time series of every cell as a file, for PlotJuggler")

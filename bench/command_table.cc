@@ -28,13 +28,17 @@ Command add_table_command(CLI::App& app) {
   command->add_option("dir", arguments->dir, "run directory")->required();
   command->add_option("--format", arguments->options.format, "text, md, csv, latex or json")
       ->transform(CLI::CheckedTransformer(formats));
-  command->add_option("--by", arguments->options.order, "scenario or observer")
-      ->transform(CLI::CheckedTransformer(orders));
-  command->add_option("--reference", arguments->options.reference,
-                      "OBSERVER[@PROFILE] that the others are compared with, run by run (default none)");
-  command->add_flag("--shadow", arguments->options.shadow, "the estimates of the shadow observers instead");
-  command->add_flag("--timing", arguments->options.timing, "with what a serial timing pass has measured");
+  CLI::Option* by = command->add_option("--by", arguments->options.order, "scenario or observer")
+                        ->transform(CLI::CheckedTransformer(orders));
+  CLI::Option* reference =
+      command->add_option("--reference", arguments->options.reference,
+                          "OBSERVER[@PROFILE] that the others are compared with, run by run (default none)");
+  CLI::Option* shadow =
+      command->add_flag("--shadow", arguments->options.shadow, "the estimates of the shadow observers instead");
+  CLI::Option* timing =
+      command->add_flag("--timing", arguments->options.timing, "with what a serial timing pass has measured");
   CLI::Option* claims = command->add_flag("--claims", arguments->claims, "the paper's claims beside what was measured");
+  for (CLI::Option* of_comparison : {by, reference, shadow, timing}) claims->excludes(of_comparison);
   command
       ->add_option("--recorded", arguments->recorded,
                    "with --claims: further run directories that may show why a claim does not hold")

@@ -1,6 +1,15 @@
 # Writes OUT, a header with the commit of the source tree at build time; leaves it alone when nothing has changed.
+# Behind -dirty stands a hash of what differs from the commit (files that git does not follow aside), so that two states
+# of the work in progress are two programs.
 execute_process(COMMAND git describe --always --dirty --abbrev=12 --exclude=* WORKING_DIRECTORY ${SOURCE}
                 OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+if(commit MATCHES "-dirty$")
+  execute_process(COMMAND git diff HEAD --full-index --no-ext-diff --no-color WORKING_DIRECTORY ${SOURCE}
+                  OUTPUT_VARIABLE changes ERROR_QUIET)
+  string(SHA1 changes "${changes}")
+  string(SUBSTRING ${changes} 0 8 changes)
+  string(APPEND commit "-${changes}")
+endif()
 if(NOT commit)
   set(commit "unknown")
 endif()

@@ -1,7 +1,11 @@
-// A short fingerprint of a text: to tell whether two are the same, not against malice.
+// A short fingerprint of a text or of a file: to tell whether two are the same, not against malice.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -14,6 +18,14 @@ inline std::string fingerprint(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
   return fmt::format("{:016x}", hash);
+}
+
+// Of the bytes of a file. Throws std::runtime_error when it cannot be read.
+inline std::string file_fingerprint(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  if (!in) throw std::runtime_error(file.string() + ": cannot be read");
+  return fingerprint(bytes);
 }
 
 }  // namespace dob

@@ -67,8 +67,8 @@ std::string describe_missing(const std::vector<CellKey>& keys, const std::vector
 void require_same_sources(const fs::path& dir, const RunInfo& run, const RunInfo& now) {
   for (std::size_t i = 0; i < std::min(run.sources.size(), now.sources.size()); ++i) {
     if (run.sources[i].observer == now.sources[i].observer) continue;
-    refuse(dir, fmt::format("the options of {} ({}) are not those that the run began with", run.cells[i].observer,
-                            run.cells[i].profile));
+    refuse(dir, fmt::format("the options or the library of {} ({}) are not those that the run began with",
+                            run.cells[i].observer, run.cells[i].profile));
   }
 }
 
@@ -147,8 +147,8 @@ RunInfo read_run_info(const fs::path& dir) {
 void require_same_program(const fs::path& dir, const RunInfo& now) {
   const RunInfo run = read_run_info(dir);
   if (describe_program(run) == describe_program(now)) return;
-  refuse(dir, fmt::format("its cells were computed by {}, this is {}: go on with that program, or begin a new run",
-                          describe_program(run), describe_program(now)));
+  throw StoreError(fmt::format("{}: its cells were computed by {}, this is {}: use that program, or begin a new run",
+                               dir.string(), describe_program(run), describe_program(now)));
 }
 
 void require_same_plan(const fs::path& dir, const RunInfo& now, const std::vector<ResolvedScenario>& scenarios) {
@@ -170,7 +170,8 @@ void require_same_plan(const fs::path& dir, const RunInfo& now, const std::vecto
   for (const ResolvedScenario& scenario : scenarios) {
     if (hashes[scenario.name] == fingerprint(scenario.toml)) continue;
     refuse(dir,
-           fmt::format("the scenario {0} is not the one that the run began with, scenarios/{0}.toml", scenario.name));
+           fmt::format("the scenario {0}, or its robot, is not the one that the run began with, scenarios/{0}.toml",
+                       scenario.name));
   }
 }
 

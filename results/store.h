@@ -23,7 +23,7 @@ namespace dob {
 // From what a cell can be made again.
 struct CellSource {
   std::string scenario;  // name of its ResolvedScenario
-  std::string observer;  // options and routing, resolved, as a profile's TOML
+  std::string observer;  // how it is made, options and routing resolved: observer_toml() of scenarios/loader.h
 };
 
 struct RunInfo {

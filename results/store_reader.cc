@@ -71,8 +71,13 @@ class Reader {
     return columns;
   }
 
-  const CellKey& key_of(const SQLite::Statement& row) const {
-    return run_.info.cells.at(static_cast<std::size_t>(row.getColumn(0).getInt64() - 1));
+  // Of the row of `table`: its first column is the cell.
+  const CellKey& key_of(const SQLite::Statement& row, std::string_view table) const {
+    const std::int64_t cell = row.getColumn(0).getInt64();
+    if (cell < 1 || cell > static_cast<std::int64_t>(run_.info.cells.size())) {
+      throw std::invalid_argument(fmt::format("table {}: cell {} is not planned", table, cell));
+    }
+    return run_.info.cells[static_cast<std::size_t>(cell - 1)];
   }
 
   // A metric that was not measured yet when the run was made has no column there.
@@ -93,7 +98,7 @@ class Reader {
 
   CellResult result_of(const SQLite::Statement& row) const {
     CellResult cell;
-    cell.key = key_of(row);
+    cell.key = key_of(row, "result");
     cell.outcome = outcome_from(row.getColumn(2).getString());
     cell.reason = row.getColumn(3).getString();
     cell.simulated_s = number(row, 4);
@@ -112,7 +117,12 @@ class Reader {
     return cell;
   }
 
-  CellResult& cell_of(const SQLite::Statement& row) { return run_.cells.at(place_.at(row.getColumn(0).getInt64())); }
+  CellResult& cell_of(const SQLite::Statement& row, std::string_view table) {
+    key_of(row, table);
+    const auto place = place_.find(row.getColumn(0).getInt64());
+    if (place != place_.end()) return run_.cells[place->second];
+    throw std::invalid_argument(fmt::format("table {}: cell {} has no result", table, row.getColumn(0).getInt64()));
+  }
 
   template <typename Columns>
   SQLite::Statement select(std::string_view table, const std::vector<std::string>& head, const Columns& columns,
@@ -124,7 +134,7 @@ class Reader {
   void read_checkpoints() {
     SQLite::Statement row = select("checkpoint", {"cell", "t_s"}, kCheckpointColumns, "cell, number");
     while (row.executeStep()) {
-      MetricsCheckpoint& checkpoint = cell_of(row).checkpoints.emplace_back();
+      MetricsCheckpoint& checkpoint = cell_of(row, "checkpoint").checkpoints.emplace_back();
       checkpoint.t = number(row, 1);
       for (int i = 2; const CheckpointColumn& column : kCheckpointColumns) {
         checkpoint.*column.field = number_or_null(row, i++);
@@ -135,7 +145,7 @@ class Reader {
   void read_shadows() {
     SQLite::Statement row = select("shadow", {"cell", "observer", "profile"}, kShadowColumns, "cell, number");
     while (row.executeStep()) {
-      ShadowResult& shadow = cell_of(row).shadows.emplace_back();
+      ShadowResult& shadow = cell_of(row, "shadow").shadows.emplace_back();
       shadow.observer = row.getColumn(1).getString();
       shadow.profile = row.getColumn(2).getString();
       for (int i = 3; const ShadowColumn& column : kShadowColumns) shadow.*column.field = number_or_null(row, i++);
@@ -146,7 +156,7 @@ class Reader {
     SQLite::Statement row = select("timing", {"cell"}, kTimingColumns, "cell");
     while (row.executeStep()) {
       CellTiming& timing = run_.timings.emplace_back();
-      timing.key = key_of(row);
+      timing.key = key_of(row, "timing");
       for (int i = 1; const TimingColumn& column : kTimingColumns) timing.*column.field = number(row, i++);
     }
   }

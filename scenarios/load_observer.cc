@@ -187,7 +187,7 @@ Routing read_routing(const Node& node, const std::string& path) {
 ObserverConfig configure(std::string_view specification, const Node& document, const std::string& profile, double dt,
                          const Place& place) {
   const auto [name, overrides] = split(specification);
-  const bool plugin = is_plugin_path(name);
+  const bool plugin = !parse_pair_name(name) && is_plugin_path(name);
   const ObserverInfo info = find_observer_or_pair(name, place);
   Node table = profile_table(document, info, plugin, place);
   // An oracle has no gains, and its kind's routing is the same in every profile: one row, not one for each.
@@ -223,7 +223,7 @@ ObserverConfig configure(std::string_view specification, const Node& document, c
 
 ObserverConfig load_observer(std::string_view specification, const std::string& profile, double dt,
                              const Place& place) {
-  const Place written = place.line > 0 ? place : Place{fmt::format("--observer {}", specification)};
+  const Place written = !place.source.empty() ? place : Place{fmt::format("--observer {}", specification)};
   const std::vector<std::string> profiles = profile_names();
   if (std::find(profiles.begin(), profiles.end(), profile) == profiles.end()) {
     throw InputError({"--profile"}, "",

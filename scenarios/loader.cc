@@ -1,6 +1,7 @@
 #include "scenarios/loader.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -66,6 +67,19 @@ Scenario read_checked(const ScenarioSource& source, const std::string& variant, 
   return scenario;
 }
 
+struct Loaded {
+  Node document;
+  Scenario scenario;
+};
+
+Loaded read_variant(const ScenarioRequest& request, const std::string& variant) {
+  const ScenarioSource source = read_source(request.name);
+  require_known(variant, chosen_variants(source), {"variant"});
+  Node document = merged(source, variant, request);
+  Scenario scenario = read_checked(source, variant, document);
+  return {std::move(document), std::move(scenario)};
+}
+
 }  // namespace
 
 std::vector<ScenarioInfo> list_scenarios() {
@@ -98,12 +112,13 @@ std::vector<Scenario> load_scenarios(const ScenarioRequest& request) {
   return scenarios;
 }
 
+std::vector<std::string> late_loads(const ScenarioRequest& request, std::string_view variant, bool shifted) {
+  const auto [document, scenario] = read_variant(request, std::string(variant));
+  return find_late_loads(document, scenario, shifted);
+}
+
 std::string resolved_toml(const ScenarioRequest& request, std::string_view variant) {
-  const ScenarioSource source = read_source(request.name);
-  const std::vector<std::string> variants = chosen_variants(source);
-  require_known(std::string(variant), variants, {"variant"});
-  Node document = merged(source, std::string(variant), request);
-  const Scenario scenario = read_checked(source, std::string(variant), document);
+  auto [document, scenario] = read_variant(request, std::string(variant));
   set(document, "robot.urdf", {scenario.robot.urdf.string(), {}});
   const std::string name = variant.empty() ? scenario.name : fmt::format("{}/{}", scenario.name, variant);
   Table& table = std::get<Table>(document.value);

@@ -62,6 +62,11 @@ std::vector<Scenario> load_scenarios(const ScenarioRequest& request);
 // the same Scenario. `variant` as in the Scenario.
 std::string resolved_toml(const ScenarioRequest& request, std::string_view variant);
 
+// What of this scenario begins when the trial is over already, of the disturbances (those that wait for the gait aside)
+// and payloads: one line each, with its place. `shifted`: when a seed shifts it as far as it may. Not an error of
+// loading, so that anybody may run the beginning of a scenario.
+std::vector<std::string> late_loads(const ScenarioRequest& request, std::string_view variant, bool shifted);
+
 // The observer `NAME` or `NAME:key=value,key=value`, where NAME may be the path of a plugin (observers/plugin.h, its
 // table in a profile is [plugin.NAME]), or the pair `legs=NAME,com=NAME` with `,legs.key=value` and
 // `,com.key=value` behind it, with the profile's options and routing, over which those of the specification are laid
@@ -70,7 +75,7 @@ std::string resolved_toml(const ScenarioRequest& request, std::string_view varia
 // is laid; the options of a pair's parts are those of their own tables. An observer that the profile does not mention,
 // or that estimates nothing, gets its built-in defaults and the profile "-"; so does an oracle, with its kind's
 // routing. It is made once for a tick of dt [s], so that what it refuses (unknown options, unstable gains) is refused
-// here. `place`: where the specification was written; of line 0, on the command line.
+// here. `place`: where the specification was written; without a source, as --observer on the command line.
 ObserverConfig load_observer(std::string_view specification, const std::string& profile, double dt = SimOptions{}.dt,
                              const Place& place = {});
 
@@ -79,6 +84,12 @@ bool is_profile(const std::filesystem::path& file);
 
 // Every built-in observer that estimates something, with what the profile in this file makes of it.
 std::vector<ObserverConfig> load_profile(const std::filesystem::path& file);
+
+// All that a cell's observer is made of, and those that watch it, as text:
+//   observer = "NAME"      in the factory, the absolute path of a plugin, or a pair
+//   [options], [routing]   options of a pair's parts as legs.KEY and com.KEY
+//   [[shadow]]             the same for each of the others
+std::string observer_toml(const ObserverConfig& observer, const std::vector<ObserverConfig>& shadows = {});
 
 // A profile as text: a table per observer with its options and its routing, which load_observer() reads back; with the
 // routing of kinds of `base`, another profile, if one is named.

@@ -51,7 +51,7 @@ void read_ramp(Reader& r, ForceProfile& p) {
     r.refuse("ramp_s", fmt::format("at most duration_s, {}", p.duration_s));
 }
 
-// Up to half the rate of the ticks; beyond it the force would be another one.
+// Up to half the rate of the ticks; beyond it the force would be another one. A sine likewise.
 void read_chirp(Reader& r, ForceProfile& p, double dt) {
   p.kind = Kind::kChirp;
   p.f0_Hz = r.number("f0_Hz", between(0.0, 0.5 / dt));
@@ -70,7 +70,7 @@ ForceProfile read_profile(Reader& r, Word word, double dt) {
   if (word == Word::kChirp) read_chirp(r, p, dt);
   if (word == Word::kSine) {
     p.kind = Kind::kSine;
-    p.period_s = r.number("period_s", above(0.0, kLongest));
+    p.period_s = r.number("period_s", between(2.0 * dt, kLongest));
     p.phase_rad = r.number("phase_rad", kPhase, 0.0);
   }
   return p;

@@ -83,7 +83,7 @@ std::string Reader::join(std::string_view key) const {
 }
 
 const Node* Reader::find(std::string_view key, bool required) {
-  known_.emplace_back(key);
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
   const Node* node = table_.find(key);
   if (node == nullptr && required && missing_.empty()) missing_ = key;
   return node;

@@ -188,6 +188,7 @@ ScenarioSource read(Reference reference) {
   if (const Node* cells_of = source.document.find(kCellsOf)) return follow(source, *cells_of, reference.via);
   take_variants(source);
   take_name(source);
+  source.info.name = source.name;
   take_base(source, reference.via);
   source.info.summary = summary_of(source.document);
   if (!is_bare_key(source.name)) {

@@ -2,6 +2,9 @@
 // config/defaults.toml, which names every key.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "scenarios/document.h"
 #include "scenarios/scenario.h"
 
@@ -21,5 +24,8 @@ void read_disturbance(Reader& reader, const RobotDescription& robot, Scenario& s
 void read_terrain(Reader& reader, Scenario& scenario);
 // What the robot does not know, or is told wrongly: [model_error], [sensing], [[payload]].
 void read_imperfections(Reader& reader, Scenario& scenario);
+
+// late_loads() of scenarios/loader.h, of a document and what was read from it.
+std::vector<std::string> find_late_loads(const Node& document, const Scenario& scenario, bool shifted);
 
 }  // namespace dob

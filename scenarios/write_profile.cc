@@ -1,4 +1,6 @@
-#include <fmt/format.h>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "scenarios/data_directory.h"
 #include "scenarios/document.h"
@@ -44,7 +46,33 @@ const char* word(Routing::WrenchSource source) {
   return "";
 }
 
+// Options and routing into the tables `options` and `routing` of the document.
+void lay_observer(Node& document, const ObserverConfig& o, const std::string& options, const std::string& routing) {
+  for (const auto& [key, value] : o.options) set(document, options + key, std::visit(ToNode{}, value));
+  const auto route = [&](const char* key, const Node& value) { set(document, routing + key, value); };
+  route("wrench_17", {o.routing.wrench_17, {}});
+  route("dynamics_18", {o.routing.dynamics_18, {}});
+  route("wrench_source", {std::string(word(o.routing.wrench_source)), {}});
+  route("torque_36", {o.routing.torque_36, {}});
+  route("swing_31", {std::string(word(o.routing.swing_31)), {}});
+}
+
+Node observer_document(const ObserverConfig& observer) {
+  Node document{Table{}, {}};
+  set(document, "observer", {observer.observer, {}});
+  lay_observer(document, observer, "options.", "routing.");
+  return document;
+}
+
 }  // namespace
+
+std::string observer_toml(const ObserverConfig& observer, const std::vector<ObserverConfig>& shadows) {
+  Node document = observer_document(observer);
+  Array list;
+  for (const ObserverConfig& shadow : shadows) list.push_back(observer_document(shadow));
+  if (!list.empty()) set(document, "shadow", {std::move(list), {}});
+  return to_toml(document);
+}
 
 std::string profile_toml(const std::vector<ObserverConfig>& observers, const std::string& base) {
   Node document{Table{}, {}};
@@ -53,17 +81,7 @@ std::string profile_toml(const std::vector<ObserverConfig>& observers, const std
     if (const Node* routing = kinds.find(kind)) set(document, kind, *routing);
   }
   for (const ObserverConfig& o : observers) {
-    for (const auto& [key, value] : o.options) {
-      set(document, fmt::format("{}.{}", o.observer, key), std::visit(ToNode{}, value));
-    }
-    const auto route = [&](const char* key, const Node& value) {
-      set(document, fmt::format("{}.routing.{}", o.observer, key), value);
-    };
-    route("wrench_17", {o.routing.wrench_17, {}});
-    route("dynamics_18", {o.routing.dynamics_18, {}});
-    route("wrench_source", {std::string(word(o.routing.wrench_source)), {}});
-    route("torque_36", {o.routing.torque_36, {}});
-    route("swing_31", {std::string(word(o.routing.swing_31)), {}});
+    lay_observer(document, o, o.observer + ".", o.observer + ".routing.");
   }
   return to_toml(document);
 }

@@ -1,6 +1,7 @@
 #include "bench/batch_plan.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <string>
 
@@ -39,6 +40,36 @@ TEST(BatchPlan, ASpecificationsOptionsMakeARowOfTheirOwn) {
   ASSERT_EQ(plan.cells.size(), 2U);
   EXPECT_EQ(plan.cells[1].key.observer, "momentum:gain_scale=5");
   EXPECT_EQ(plan.cells[1].observer.observer, "momentum");
+}
+
+TEST(BatchPlan, TheLargestSeedIsASeedAndTooManyCellsAreRefusedBeforeTheyAreMade) {
+  BatchRequest request{.scenarios = {"undisturbed"}, .observers = {"none", "momentum"}, .profiles = {"paper"}};
+  request.first_seed = request.last_seed = std::numeric_limits<int>::max();
+  EXPECT_EQ(plan_batch(request).cells.size(), 2U);
+  for (const int seeds : {500'001, std::numeric_limits<int>::max()}) {
+    request.first_seed = 1;
+    request.last_seed = seeds;
+    try {
+      plan_batch(request);
+      FAIL() << "accepted";
+    } catch (const InputError& error) {
+      EXPECT_TRUE(std::string(error.what()).starts_with("--seeds: ")) << error.what();
+      EXPECT_NE(std::string(error.what()).find("allowed: 1000000 cells"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(BatchPlan, WarnsOnceOfADisturbanceThatNeverActs) {
+  BatchRequest request{.scenarios = {"push_trunk"}, .observers = {"none"}};
+  request.gains = {"paper", "stiff"};
+  EXPECT_TRUE(plan_batch(request).warnings.empty());
+  request.overrides = {"duration_s=3.1"};  // the push begins at 3 s
+  EXPECT_TRUE(plan_batch(request).warnings.empty());
+  request.last_seed = 2;  // and 0.265 s later in the worst case
+  const std::vector<std::string> warnings = plan_batch(request).warnings;
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_NE(warnings[0].find("push_trunk.toml:12:1: disturbance.0.start_s"), std::string::npos) << warnings[0];
+  EXPECT_EQ(std::set<std::string>(warnings.begin(), warnings.end()).size(), warnings.size());
 }
 
 std::set<std::string> scenarios_of(const BatchPlan& plan) {

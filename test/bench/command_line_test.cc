@@ -37,6 +37,11 @@ TEST_F(CommandLine, BadInputIsRefusedWithItsPlaceAndNothingIsWritten) {
   expect_refused("run undisturbed --set robot.urdf=missing.urdf", {"missing.urdf"});
   expect_refused("run undisturbed --seeds 0", {"--seeds"});
   expect_refused("run undisturbed --seeds 5..2", {"--seeds"});
+  expect_refused("run undisturbed --seeds 2147483647", {"--seeds 2147483647", "up to 1000000"});
+  expect_refused("run undisturbed --seeds 2147483647..2147483647", {"--seeds 2147483647", "up to 1000000"});
+  expect_refused("run undisturbed --observer none --observer momentum --seeds 1000000", {"--seeds", "cells"});
+  expect_refused("run undisturbed --shadow nonsense", {"--shadow nonsense", "momentum"});
+  expect_refused("run undisturbed --log-rate 10", {"--log-rate", "--log csv"});
   expect_refused("run undisturbed --jobs 0", {"--jobs"});
   expect_refused("run --nonsense", {"nonsense"});
   expect_refused("table nowhere", {"nowhere"});
@@ -143,6 +148,9 @@ TEST_F(CommandLine, ARunIsAskedAboutEveryClaim) {
   EXPECT_GT(rows.size(), 50U);
   for (const auto& row : rows) EXPECT_EQ(row["holds"], nullptr) << row;  // nothing that the paper speaks of was run
   expect_refused("table run --recorded run", {"--claims"});
+  for (const char* other : {"--shadow", "--timing", "--by observer", "--reference none"}) {
+    expect_refused(std::string("table run --claims ") + other, {"--claims", std::string(other).substr(0, 4)});
+  }
   expect_refused("table run --claims --recorded nowhere", {"nowhere"});
 }
 
@@ -193,6 +201,8 @@ TEST_F(CommandLine, CheckSaysWhatEveryFileIsAndWhatIsWrong) {
   expect_refused("check tall.toml", {"tall", "cannot reach"});
   expect_refused("check notes.txt", {"notes.txt", ".urdf"});
   expect_refused("check missing.toml", {"missing.toml", "cannot be read"});
+  std::ofstream(dir / "named.toml") << "name = \"other\"\nbase = \"undisturbed\"\n";
+  EXPECT_NE(dobbench("check named.toml").out.find("scenario 'other'"), std::string::npos);
   // The others are still checked.
   const Answer mixed = dobbench("check mine.toml '" + project + "/scenarios/case4.toml'");
   EXPECT_EQ(mixed.exit_code, 2);
@@ -206,6 +216,16 @@ TEST_F(CommandLine, ATrialWhosePushNeverComesIsARowWithItsReason) {
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_EQ(rows[0]["errors"], 1);
   EXPECT_NE(answer.out.find("waited for phase 0.1 of a swing of RF"), std::string::npos) << answer.out;
+}
+
+TEST_F(CommandLine, ADisturbanceThatNeverActsIsAnErrorOfAFileAndAWarningOfARunThatIsCutShort) {
+  std::ofstream(dir / "late.toml") << "base = \"push_trunk\"\nduration_s = 3\n";
+  expect_refused("check late.toml", {"push_trunk.toml:12:1: disturbance.0.start_s: 3 s", "over at 3 s"});
+  const Answer run = dobbench("run push_trunk --observer none --set duration_s=0.2 --out run");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_NE(run.err.find("never acts: "), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("push_trunk.toml:12:1"), std::string::npos) << run.err;
+  EXPECT_EQ(dobbench("run undisturbed --observer none --set duration_s=0.2 --out other").err, "");
 }
 
 TEST_F(CommandLine, ListsTheScenariosWithTheirSet) {

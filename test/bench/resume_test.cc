@@ -1,6 +1,9 @@
 // Batches that are killed and gone on with: the same table, byte for byte.
+#include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <random>
 #include <thread>
@@ -96,6 +99,46 @@ TEST_F(Resume, CellsThatCouldNotBeRunStayUnlessAskedFor) {
   EXPECT_EQ(read_cells(dir / "run").at(0).outcome, Outcome::kError);
   EXPECT_EQ(dobbench("run --resume --retry-errors --out run").exit_code, 0);
   EXPECT_EQ(read_cells(dir / "run").at(0).outcome, Outcome::kSurvived);
+}
+
+TEST_F(Resume, ThereHasToBeARunToGoOnWith) {
+  expect_refused("run --resume --out nowhere --jobs 1", {"--resume: nowhere holds no run"});
+  expect_refused("run --resume", {"--resume", "--out"});
+  EXPECT_FALSE(std::filesystem::exists(dir / "nowhere"));
+}
+
+TEST_F(Resume, OtherTimeSeriesMayBeKeptOfWhatIsLeft) {
+  const std::string what = "run undisturbed --observer none --set duration_s=20 --keep none ";
+  ASSERT_EQ(dobbench(what + "--timeout 0.05 --out run").exit_code, 3);
+  expect_refused("run --resume --out run --log-rate 100", {"--log-rate", "--log csv"});
+  ASSERT_EQ(dobbench("run --resume --retry-errors --keep all --log csv --log-rate 10 --out run").exit_code, 0);
+  const CellResult cell = read_cells(dir / "run").at(0);
+  EXPECT_TRUE(std::filesystem::exists(dir / "run" / cell.trace)) << cell.trace;
+  const std::string log = test::read(std::filesystem::directory_iterator(dir / "run" / "logs")->path());
+  EXPECT_EQ(std::count(log.begin(), log.end(), '\n'), 201);  // a header, and ten lines a second
+}
+
+// One byte behind the end of a library or a comment in a robot: what they are called is the same.
+TEST_F(Resume, AnotherLibraryOrRobotOfTheSameNameIsRefused) {
+  const auto change = [this](const char* file) { std::ofstream(dir / file, std::ios::app) << "<!-- -->"; };
+  std::filesystem::copy_file(DOB_PLUGIN_DIR "/first_order.so", dir / "mine.so");
+  std::filesystem::copy_file(DOB_SOURCE_DIR "/robot/dogbot/dogbot.urdf", dir / "robot.urdf");
+  const std::string what = "run undisturbed --set 'robot.urdf=\"robot.urdf\"' --set duration_s=0.1 --observer ";
+  const std::string plugin = what + "./mine.so --resume --out plugin";
+  const std::string pair = what + "legs=./mine.so,com=com_wrench --profile paper --resume --out pair";
+  const std::string shadow = what + "none --shadow ./mine.so --resume --out shadow";
+  const std::string none = what + "none --resume --out none";
+  for (const std::string& run : {plugin, pair, shadow, none}) {
+    ASSERT_EQ(dobbench(run).exit_code, 0) << run;
+    ASSERT_EQ(dobbench(run).exit_code, 0) << run;
+  }
+  change("mine.so");
+  expect_refused(plugin, {"cannot be resumed", "the library of first_order"});
+  expect_refused(pair, {"cannot be resumed", "the library of legs="});
+  expect_refused(shadow, {"cannot be resumed", "the library of none"});
+  EXPECT_EQ(dobbench(none).exit_code, 0);
+  change("robot.urdf");
+  expect_refused(none, {"cannot be resumed", "the scenario undisturbed_paper, or its robot"});
 }
 
 TEST_F(Resume, TimingIsKeptApartFromTheTable) {

@@ -54,6 +54,17 @@ TEST_F(StoreFaultsTest, WhatIsNotAsItShouldBeIsNamed) {
               HasSubstr("state_hash '00zz'"));
   EXPECT_THAT(with("UPDATE result SET simulated_s = 'long'", "UPDATE result SET simulated_s = 46.0"),
               HasSubstr("simulated_s 'long', allowed: a number"));
+  EXPECT_THAT(with("INSERT INTO result(cell, batch, outcome, state_hash) VALUES(99, 1, 'fell', '0000000000000000')",
+                   "DELETE FROM result WHERE cell = 99"),
+              HasSubstr("table result: cell 99 is not planned"));
+  for (const std::string table : {"checkpoint", "shadow"}) {
+    EXPECT_THAT(with("INSERT INTO " + table + "(cell, number) VALUES(0, 0)", "DELETE FROM " + table),
+                HasSubstr("table " + table + ": cell 0 is not planned"));
+    EXPECT_THAT(with("INSERT INTO " + table + "(cell, number) VALUES(2, 0)", "DELETE FROM " + table),
+                HasSubstr("table " + table + ": cell 2 has no result"));
+  }
+  EXPECT_THAT(with("INSERT INTO timing(cell, batch) VALUES(3, 1)", "DELETE FROM timing"),
+              HasSubstr("table timing: cell 3 is not planned"));
   EXPECT_EQ(read_run(dir).cells.size(), 1U);
 }
 

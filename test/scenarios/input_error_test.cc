@@ -67,6 +67,13 @@ TEST(InputError, UnknownKeysNameTheOneThatWasMeant) {
             "mine.toml:6:1: noise.whatever: unknown key 'whatever'; allowed: torque_relative, foot_force_relative");
 }
 
+TEST(InputError, WhatIsAllowedIsNamedOnce) {
+  const std::string error = error_in("zzzzzzzz = 1\n" + kSmallest);
+  const std::size_t path = error.find(" path,");
+  ASSERT_NE(path, std::string::npos) << error;
+  EXPECT_EQ(error.find(" path,", path + 1), std::string::npos) << error;
+}
+
 TEST(InputError, KeysThatHaveNoMeaningHereAreUnknown) {
   EXPECT_THAT(error_with(kPush + "period_s = 1.0\n"),
               StartsWith("mine.toml:12:1: disturbance.0.period_s: unknown key 'period_s'"));
@@ -165,6 +172,9 @@ TEST(InputError, ProfilesNeedTheirParametersAndRefuseWhatCannotBe) {
             "mine.toml:7:1: disturbance.0.ramp_s: 0; allowed: a number above 0 to 100000");
   EXPECT_EQ(with("\"chirp\"\nf0_Hz = 0\nf1_Hz = 501\nduration_s = 5"),
             "mine.toml:8:1: disturbance.0.f1_Hz: 501; allowed: a number from 0 to 500");
+  EXPECT_THAT(with("\"sine\"\nperiod_s = 0.0019"),
+              HasSubstr("disturbance.0.period_s: 0.0019; allowed: a number from 0.002 to"));
+  EXPECT_EQ(with("\"sine\"\nperiod_s = 0.002"), "no error");
   EXPECT_THAT(with("\"sine\"\nperiod_s = 1\nramp_s = 1"), HasSubstr("disturbance.0.ramp_s: unknown key 'ramp_s'"));
 }
 

@@ -7,6 +7,7 @@
 #include "observers/com_wrench.h"
 #include "observers/factory.h"
 #include "observers/momentum.h"
+#include "scenarios/document.h"
 #include "scenarios/loader.h"
 #include "test/observers/ideal_plant.h"
 #include "test/scenarios/scratch_files.h"
@@ -49,6 +50,21 @@ TEST(Profiles, RouteAnOracleTheSameWay) {
       EXPECT_EQ(profile_toml({load_observer(oracle, profile)}), profile_toml({one})) << profile;
     }
   }
+}
+
+// A path holds dots and slashes, a pair's name '=' and ','.
+TEST(ObserverToml, CanBeReadBackWhateverTheObserverIsCalled) {
+  const ScratchFiles files;
+  ObserverConfig plugin{"/some.where/v1.2/mine.so", "-", {{"gain", 3.0}}, {}};
+  const ObserverConfig pair = load_observer("legs=momentum,com=com_wrench,legs.gain_scale=5", "matched");
+  const Node document = parse_file(files.write("observer.toml", observer_toml(plugin, {pair})));
+  EXPECT_EQ(std::get<std::string>(document.find("observer")->value), plugin.observer);
+  EXPECT_EQ(std::get<double>(document.find("options")->find("gain")->value), 3.0);
+  EXPECT_EQ(std::get<bool>(document.find("routing")->find("torque_36")->value), plugin.routing.torque_36);
+  const auto& shadows = std::get<Array>(document.find("shadow")->value);
+  ASSERT_EQ(shadows.size(), 1U);
+  EXPECT_EQ(std::get<std::string>(shadows[0].find("observer")->value), "legs=momentum,com=com_wrench");
+  EXPECT_EQ(std::get<double>(shadows[0].find("options")->find("legs")->find("gain_scale")->value), 5.0);
 }
 
 TEST(Profiles, LoadForEveryObserver) {

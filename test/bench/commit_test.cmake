@@ -1,0 +1,38 @@
+# Two states of one changed source tree are two programs: cmake -DSCRIPT=commit.cmake -DDIR=SCRATCH -P commit_test.cmake
+file(REMOVE_RECURSE ${DIR})
+file(MAKE_DIRECTORY ${DIR}/tree)
+
+function(git)
+  execute_process(COMMAND git -c user.name=test -c user.email=test@test ${ARGN} WORKING_DIRECTORY ${DIR}/tree
+                  COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
+endfunction()
+
+function(commit_of result text)
+  file(WRITE ${DIR}/tree/file "${text}")
+  execute_process(COMMAND ${CMAKE_COMMAND} -DSOURCE=${DIR}/tree -DOUT=${DIR}/commit.h -P ${SCRIPT} COMMAND_ERROR_IS_FATAL ANY)
+  file(STRINGS ${DIR}/commit.h line REGEX DOB_COMMIT)
+  string(REGEX REPLACE ".*\"(.*)\"" "\\1" commit "${line}")
+  set(${result} "${commit}" PARENT_SCOPE)
+endfunction()
+
+function(expect pattern)
+  if(NOT "${ARGN}" MATCHES "${pattern}")
+    message(FATAL_ERROR "'${ARGN}' is not ${pattern}")
+  endif()
+endfunction()
+
+git(init -q)
+file(WRITE ${DIR}/tree/file "committed")
+git(add file)
+git(commit -q -m message)
+commit_of(clean "committed")
+commit_of(one "one; change")
+commit_of(other "another change")
+commit_of(again "one; change")
+expect("^[0-9a-f]+$" ${clean})
+expect("^${clean}-dirty-[0-9a-f]+$" ${one})
+expect("^${clean}-dirty-[0-9a-f]+$" ${other})
+expect("^${one}$" ${again})
+if(one STREQUAL other)
+  message(FATAL_ERROR "two changed trees are both called ${one}")
+endif()
