@@ -55,7 +55,7 @@ bool smaller_ratio(const TwoFigures& a, const TwoFigures& b) {
 
 // Too early for a figure of walking.
 bool fell_at_once(const CellGroup& group) {
-  constexpr double kFirst = 1.0;  // [s]
+  constexpr double kFirst = 2.0;  // [s] the start from rest, and about a second that a fall takes
   return !group.ran.empty() && std::all_of(group.ran.begin(), group.ran.end(), [](const CellResult* cell) {
     return cell->outcome == Outcome::kFell && cell->simulated_s <= kFirst;
   });

@@ -41,7 +41,7 @@ Finding evaluate(const TwoPeaksClaim& claim, const ClaimView& view);
 Finding evaluate(const LargerClaim& claim, const ClaimView& view);
 
 // Holds if the median over seeds is larger in every case than in the one before, of runs of the two paired by seed
-// (results/claim_pairs.h). No data where no pair compares, or all runs of a case fell within their first second.
+// (results/claim_pairs.h). No data where no pair compares, or all runs of a case fell within their first two seconds.
 Finding evaluate(const GrowsClaim& claim, const ClaimView& view);
 
 }  // namespace dob

@@ -282,8 +282,8 @@ TEST(GrowsClaimTest, AFallConfirmsNothing) {
 TEST(GrowsClaimTest, WithoutCommonTimeThereIsNoVerdict) {
   const std::vector<CellResult> walks{cell("momentum", 1, com(0.02), {checkpoint(0.5, 0.001)})};
   const auto falls = [](double t) { return std::vector{fallen("momentum", 1, t, com(0.3), {checkpoint(0.5, 0.002)})}; };
-  EXPECT_EQ(ask_growth({walks, falls(1.2)}).verdict, Verdict::kYes);
-  const Finding at_once = ask_growth({walks, falls(0.9)});
+  EXPECT_EQ(ask_growth({walks, falls(2.2)}).verdict, Verdict::kYes);
+  const Finding at_once = ask_growth({walks, falls(1.9)});
   EXPECT_EQ(at_once.verdict, Verdict::kNoData);
   EXPECT_THAT(at_once.remark, HasSubstr("sweep/1"));
   EXPECT_EQ(ask_growth({walks, {cell("momentum", 2, com(0.3))}}).verdict, Verdict::kNoData);  // seeds apart
