@@ -12,6 +12,7 @@
 #include "observers/factory.h"
 #include "results/metrics.h"
 #include "robot/standing_pose.h"
+#include "sim/random_stream.h"
 
 namespace dob {
 namespace {
@@ -124,15 +125,14 @@ void Trial::draw_disturbances() {
 void Trial::apply_seed(RobotState& initial) {
   if (seed_ == 1) return;
   std::mt19937_64 random(static_cast<std::uint64_t>(seed_));
-  const auto uniform = [&random] { return static_cast<double>(random() >> 11U) * 0x1.0p-53; };
   const SeedVariation& v = scenario_.seed_variation;
-  initial_footstep_time_ = v.gait_phase * uniform() * scenario_.gait.pattern.stance_duration;
-  first_step_ = uniform() < 0.5 ? 1 : 0;
+  initial_footstep_time_ = v.gait_phase * uniform(random) * scenario_.gait.pattern.stance_duration;
+  first_step_ = uniform(random) < 0.5 ? 1 : 0;
   for (int i = 0; i < 2; ++i) {
-    initial.p_WB[i] += v.position * (2.0 * uniform() - 1.0);
-    initial.v_WB[i] += v.velocity * (2.0 * uniform() - 1.0);
+    initial.p_WB[i] += v.position * (2.0 * uniform(random) - 1.0);
+    initial.v_WB[i] += v.velocity * (2.0 * uniform(random) - 1.0);
   }
-  const double later = v.disturbance_onset * uniform();
+  const double later = v.disturbance_onset * uniform(random);
   for (Disturbance& d : scenario_.disturbances) d.profile.start_s += later;
   for (Payload& p : scenario_.payloads) p.start_s += later;
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "scenarios/loader.h"
+#include "sim/random_stream.h"
 
 namespace dob {
 namespace {
@@ -21,13 +22,11 @@ std::uint64_t seed_of(const std::string& name) noexcept {
 struct Draw {
   std::mt19937_64& random;
 
-  double uniform() const { return static_cast<double>(random() >> 11U) * 0x1.0p-53; }
-
   std::string operator()(const TuningRange& range) const {
-    return fmt::format("{:.3g}", range.low * std::pow(range.high / range.low, uniform()));
+    return fmt::format("{:.3g}", range.low * std::pow(range.high / range.low, uniform(random)));
   }
   std::string operator()(const std::vector<std::string>& words) const {
-    return words[static_cast<std::size_t>(uniform() * static_cast<double>(words.size()))];
+    return words[static_cast<std::size_t>(uniform(random) * static_cast<double>(words.size()))];
   }
 };
 

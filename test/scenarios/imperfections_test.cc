@@ -13,19 +13,6 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string error_with(const std::string& appended) {
-  const ScratchFiles files;
-  try {
-    load_scenarios({.name = files.write("mine.toml", kSmallest + appended)});
-  } catch (const InputError& error) {
-    std::string message = error.what();
-    const std::string directory = files.directory().string() + "/";
-    const std::size_t at = message.find(directory);
-    return at == std::string::npos ? message : message.erase(at, directory.size());
-  }
-  return "no error";
-}
-
 Scenario load_one(const std::string& name) {
   const std::vector<Scenario> scenarios = load_scenarios({.name = name});
   EXPECT_EQ(scenarios.size(), 1u);

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "scenarios/loader.h"
+
 namespace dob {
 
 class ScratchFiles {
@@ -45,5 +47,19 @@ inline std::string read_text(const std::filesystem::path& path) {
 
 // The smallest scenario; what a test appends begins in line 5.
 inline const std::string kSmallest = "summary = \"s\"\n[[path]]\nduration_s = 10.0\nspeed_m_s = 0.12\n";
+
+// What loading the smallest scenario with this text behind it says, without the directory; "no error" where it loads.
+inline std::string error_with(const std::string& appended) {
+  const ScratchFiles files;
+  try {
+    load_scenarios({.name = files.write("mine.toml", kSmallest + appended)});
+  } catch (const InputError& error) {
+    std::string message = error.what();
+    const std::string directory = files.directory().string() + "/";
+    const std::size_t at = message.find(directory);
+    return at == std::string::npos ? message : message.erase(at, directory.size());
+  }
+  return "no error";
+}
 
 }  // namespace dob

@@ -18,20 +18,6 @@ const std::string kTile = "tile_m = [0.1, 0.2]\n";
 const std::string kHeights = "heights_m = [0.01, 0.02]\n";
 const std::string kFrictions = "frictions = [0.5, 0.7]\n";
 
-// What loading says, without the directory; the field's table begins in line 5.
-std::string error_with(const std::string& text) {
-  const ScratchFiles files;
-  try {
-    load_scenarios({.name = files.write("mine.toml", kSmallest + text)});
-  } catch (const InputError& error) {
-    std::string message = error.what();
-    const std::string directory = files.directory().string() + "/";
-    const std::size_t at = message.find(directory);
-    return at == std::string::npos ? message : message.erase(at, directory.size());
-  }
-  return "no error";
-}
-
 TEST(TerrainField, IsReadWithItsKindsInPairs) {
   const ScratchFiles files;
   const std::string file = files.write("mine.toml", kSmallest + kSpan + kTile + kHeights + kFrictions);
