@@ -35,17 +35,17 @@ void warn_of_other_load() {
 }
 
 void print(const CellTiming& t) {
-  fmt::print("{:<44} {:>8.1f} {:>8.1f} {:>8.1f} {:>8.2f} {:>8.2f} {:>8.1f}\n",
+  fmt::print("{:<44} {:>8.1f} {:>8.1f} {:>8.1f} {:>8.2f} {:>8.2f} {:>8.1f} {:>8.1f}\n",
              fmt::format("{}{}{} {} {}", t.key.scenario, t.key.variant.empty() ? "" : "/", t.key.variant,
                          t.key.observer, t.key.profile),
-             t.tick_p50_us, t.tick_p99_us, t.tick_max_us, t.qp_p50_us, t.qp_p99_us, t.real_time_factor);
+             t.tick_p50_us, t.tick_p99_us, t.tick_max_us, t.qp_p50_us, t.qp_p99_us, t.qp_max_us, t.real_time_factor);
   std::fflush(stdout);
 }
 
 void print_heading() {
-  const auto line = [](auto... texts) { fmt::print("{:<44} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", texts...); };
-  line("", "tick p50", "p99", "max", "QP p50", "p99", "speed");
-  line("", "[us]", "[us]", "[us]", "[us]", "[us]", "[x real]");
+  const auto line = [](auto... texts) { fmt::print("{:<44} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8}\n", texts...); };
+  line("", "tick p50", "p99", "max", "QP p50", "p99", "max", "speed");
+  line("", "[us]", "[us]", "[us]", "[us]", "[us]", "[us]", "[x real]");
 }
 
 // One cell after the other. `store` may be null.

@@ -85,7 +85,7 @@ const TickRecord& Recorder::record(double t, const ModelTerms& m, const Locomoti
   r.foot_force_commanded = controller.solution().foot_force;
   r.joint_torque = step.joint_torque;
   r.saturated_joints = static_cast<int>((step.joint_torque.array().abs() >= torque_limit_.array()).count());
-  r.disturbance_onset = disturbances.changed();
+  r.disturbance_onset = disturbances.began();
   r.disturbance_active = disturbances.active();
   judge(estimate, r);
   remember_truth(m, disturbances.true_forces());

@@ -17,6 +17,8 @@
 namespace dob {
 namespace {
 
+constexpr std::uint32_t kStartStream = 0x57a7u;  // sets what apply_seed() draws apart from other draws of the seed
+
 // FNV-1a over the bytes of a state: equal bits, equal hash.
 std::uint64_t hash_state(std::uint64_t hash, const RobotState& s) noexcept {
   const auto add = [&hash](const double* data, int count) {
@@ -124,7 +126,7 @@ void Trial::draw_disturbances() {
 // Seed 1 is the nominal run; the others vary the start of the gait, of the robot and of the disturbances.
 void Trial::apply_seed(RobotState& initial) {
   if (seed_ == 1) return;
-  std::mt19937_64 random(static_cast<std::uint64_t>(seed_));
+  std::mt19937_64 random = random_stream(static_cast<std::uint64_t>(seed_), kStartStream);
   const SeedVariation& v = scenario_.seed_variation;
   initial_footstep_time_ = v.gait_phase * uniform(random) * scenario_.gait.pattern.stance_duration;
   first_step_ = uniform(random) < 0.5 ? 1 : 0;

@@ -26,7 +26,7 @@
 
 namespace dob {
 
-inline constexpr int kStoreVersion = 1;  // PRAGMA user_version
+inline constexpr int kStoreVersion = 2;  // PRAGMA user_version
 inline constexpr const char* kDatabaseFile = "run.sqlite";
 
 // A column of numbers and the field that it holds.
@@ -60,6 +60,7 @@ inline constexpr std::array kTimingColumns{
     TimingColumn{"tick_max_us", &CellTiming::tick_max_us},
     TimingColumn{"qp_p50_us", &CellTiming::qp_p50_us},
     TimingColumn{"qp_p99_us", &CellTiming::qp_p99_us},
+    TimingColumn{"qp_max_us", &CellTiming::qp_max_us},
     TimingColumn{"real_time_factor", &CellTiming::real_time_factor},
 };
 

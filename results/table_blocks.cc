@@ -101,6 +101,7 @@ std::vector<Column> timing_columns(TableOrder order) {
   columns.push_back({{"tick max", "us"}, figure(&TimingSummary::tick_max_us)});
   columns.push_back({{"QP p50", "us"}, figure(&TimingSummary::qp_p50_us)});
   columns.push_back({{"QP p99", "us"}, figure(&TimingSummary::qp_p99_us)});
+  columns.push_back({{"QP max", "us"}, figure(&TimingSummary::qp_max_us)});
   columns.push_back({{"speed", "x real"}, figure(&TimingSummary::real_time_factor)});
   return columns;
 }

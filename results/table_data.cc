@@ -36,6 +36,7 @@ void add_timing(Json& json, const std::optional<TimingSummary>& timing) {
   add("tick_time_max_us", &TimingSummary::tick_max_us);
   add("qp_time_p50_us", &TimingSummary::qp_p50_us);
   add("qp_time_p99_us", &TimingSummary::qp_p99_us);
+  add("qp_time_max_us", &TimingSummary::qp_max_us);
   add("real_time_factor", &TimingSummary::real_time_factor);
 }
 

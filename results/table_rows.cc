@@ -96,6 +96,7 @@ TimingSummary summarise(const std::vector<const CellTiming*>& timings) {
           .tick_max_us = quantile(values(&CellTiming::tick_max_us), 1.0),
           .qp_p50_us = median(values(&CellTiming::qp_p50_us)),
           .qp_p99_us = median(values(&CellTiming::qp_p99_us)),
+          .qp_max_us = quantile(values(&CellTiming::qp_max_us), 1.0),
           .real_time_factor = median(values(&CellTiming::real_time_factor))};
 }
 

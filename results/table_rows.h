@@ -24,9 +24,10 @@ struct MetricSummary {
   std::optional<Interval> ci95;  // bootstrap, of the median
 };
 
-// Of a serial pass: medians over the seeds that were timed, of the longest tick the longest.
+// Of a serial pass: medians over the seeds that were timed, of the longest tick and QP the longest.
 struct TimingSummary {
-  double tick_p50_us = 0.0, tick_p99_us = 0.0, tick_max_us = 0.0, qp_p50_us = 0.0, qp_p99_us = 0.0;  // [us]
+  double tick_p50_us = 0.0, tick_p99_us = 0.0, tick_max_us = 0.0;  // [us]
+  double qp_p50_us = 0.0, qp_p99_us = 0.0, qp_max_us = 0.0;        // [us]
   double real_time_factor = 0.0;  // simulated / wall time of the trial
 };
 

@@ -30,7 +30,7 @@ struct TickRecord {
   PerLeg<bool> stance{};           // scheduled on the ground
   PerLeg<bool> lift_off{};         // a swing begins at this tick
   PerLeg<bool> touchdown{};        // the foot landed at this tick
-  bool disturbance_onset = false;  // the set of acting disturbances changed at this tick (begin, end, new draw)
+  bool disturbance_onset = false;  // a disturbance, a newly drawn one too, began at this tick
   bool disturbance_active = false;
   int applied_forces = 0;  // disturbances that act over the step; the first of them:
   Vec3 applied_point = Vec3::Zero(), applied_force = Vec3::Zero();  // [m], [N]; zero while none acts

@@ -20,7 +20,7 @@ DisturbanceSchedule::DisturbanceSchedule(const std::vector<Disturbance>& disturb
 
 void DisturbanceSchedule::update(double t, const PerLeg<double>& swing_phase, const RobotState& state) noexcept {
   forces_.clear();
-  changed_ = false;
+  began_ = false;
   for (Item& item : items_) {
     Disturbance& d = item.disturbance;
     if (item.waits && t >= d.profile.start_s - kSlack) {
@@ -32,7 +32,7 @@ void DisturbanceSchedule::update(double t, const PerLeg<double>& swing_phase, co
       }
     }
     const bool acts = !item.waits && d.profile.active(t);
-    changed_ = changed_ || acts != item.acts;
+    began_ = began_ || (acts && !item.acts);
     item.acts = acts;
     if (acts) forces_.push_back(d.at(t, state));
   }
@@ -45,7 +45,7 @@ void DisturbanceSchedule::update(double t, const PerLeg<double>& swing_phase, co
     weight.force_W.z() = -payload.mass * gravity_;
     forces_.push_back(weight);
   }
-  changed_ = changed_ || forces_.size() - applied_ != payloads_on_;
+  began_ = began_ || forces_.size() - applied_ > payloads_on_;
   payloads_on_ = forces_.size() - applied_;
 }
 

@@ -29,7 +29,7 @@ class DisturbanceSchedule {
   // out.
   std::span<const AppliedForce> true_forces() const noexcept { return forces_; }
   bool active() const noexcept { return !forces_.empty(); }
-  bool changed() const noexcept { return changed_; }  // some disturbance began or ended
+  bool began() const noexcept { return began_; }  // some disturbance began
   // The first one that still waits for its trigger; nullptr: none does.
   const Disturbance* waiting() const noexcept;
 
@@ -47,7 +47,7 @@ class DisturbanceSchedule {
   std::size_t applied_ = 0;
   std::size_t payloads_on_ = 0;
   PerLeg<double> last_phase_;
-  bool changed_ = false;
+  bool began_ = false;
 };
 
 }  // namespace dob

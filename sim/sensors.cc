@@ -6,8 +6,12 @@
 
 #include <fmt/format.h>
 
+#include "sim/random_stream.h"
+
 namespace dob {
 namespace {
+
+constexpr std::uint32_t kStream = 0x5e50u;  // sets this stream apart from others of the same seed
 
 void require_fraction(std::string_view field, double value) {
   if (!std::isfinite(value) || value < 0.0) {
@@ -22,7 +26,7 @@ void SensorNoise::validate() const {
   require_fraction("foot_force_relative", foot_force_relative);
 }
 
-Sensors::Sensors(const SensorNoise& noise, std::uint64_t seed) : noise_(noise), normal_(std::mt19937_64(seed)) {
+Sensors::Sensors(const SensorNoise& noise, std::uint64_t seed) : noise_(noise), normal_(random_stream(seed, kStream)) {
   noise_.validate();
 }
 

@@ -183,9 +183,9 @@ TEST_F(StoreTest, AWorkersLineReadsBack) {
 TEST_F(StoreTest, TimingsReadBackInTheOrderOfTheRunAndTheLastOneCounts) {
   const CellKey a = key("s", "", "a", "-", 1), b = key("s", "", "b", "-", 1);
   RunStore store = RunStore::create(dir, info_of({a, b}), {});
-  store.append(CellTiming{b, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0});
-  store.append(CellTiming{a, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0});
-  store.append(timing_from_line(timing_to_line({a, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6})));
+  store.append(CellTiming{b, 1.0, 2.0, 3.0, 4.0, 5.0, 5.5, 6.0});
+  store.append(CellTiming{a, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0, 9.0});
+  store.append(timing_from_line(timing_to_line({a, 0.1, 0.2, 0.3, 0.4, 0.5, 0.55, 0.6})));
   const std::vector<CellTiming> timings = read_run(dir).timings;
   ASSERT_EQ(timings.size(), 2U);
   EXPECT_EQ(timings[0].key, a);
@@ -194,6 +194,7 @@ TEST_F(StoreTest, TimingsReadBackInTheOrderOfTheRunAndTheLastOneCounts) {
   EXPECT_EQ(timings[1].key, b);
   EXPECT_EQ(timings[1].tick_max_us, 3.0);
   EXPECT_EQ(timings[1].qp_p99_us, 5.0);
+  EXPECT_EQ(timings[1].qp_max_us, 5.5);
   EXPECT_TRUE(read_cells(dir).empty());
 }
 

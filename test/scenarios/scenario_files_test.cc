@@ -39,14 +39,13 @@ TEST(ShippedScenarios, AreListedWithTheirVariants) {
   EXPECT_EQ(undisturbed->summary, "120 s straight trot, no disturbance");
   EXPECT_TRUE(std::filesystem::is_regular_file(undisturbed->path));
   EXPECT_TRUE(std::is_sorted(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.name < b.name; }));
-  EXPECT_THAT(info_of("case1").variants, ElementsAre("knee_lateral", "tip_lateral", "knee_sagittal", "tip_sagittal",
-                                                     "knee_lateral_no_swing", "tip_lateral_no_swing"));
+  EXPECT_THAT(info_of("case1").variants, ElementsAre("knee_lateral", "tip_lateral", "knee_sagittal", "tip_sagittal"));
   EXPECT_THAT(info_of("crawl").variants, ElementsAre("undisturbed", "knee_lateral", "tip_lateral", "random_push"));
   EXPECT_THAT(info_of("order_study").variants, ElementsAre("standing", "trotting"));
 }
 
 TEST(ShippedScenarios, OfTheCaseStudiesAreThePapersSetAndOthersAreNot) {
-  for (const char* name : {"order_study", "case1", "case2", "case3", "case4", "case4_noise", "case6"})
+  for (const char* name : {"order_study", "case1", "case1_no_swing", "case2", "case3", "case4", "case4_noise", "case6"})
     EXPECT_EQ(info_of(name).set, ScenarioSet::kPaper) << name;
   for (const char* name :
        {"undisturbed", "crawl", "push_trunk", "chirp_knee", "start_in_motion", "friction_sweep", "block_height_sweep"})
@@ -234,7 +233,7 @@ TEST(Case1, PushesKneeOrTipLaterallyOrSagittallyWithTheSameSine) {
 TEST(Case1, WithoutSwingCompensationPushesTheSameAndLeavesTheTermOut) {
   for (const std::string point : {"knee_lateral", "tip_lateral"}) {
     const Scenario with = load_one({.name = "case1/" + point});
-    const Scenario without = load_one({.name = "case1/" + point + "_no_swing"});
+    const Scenario without = load_one({.name = "case1_no_swing/" + point});
     EXPECT_TRUE(with.swing_compensation);
     EXPECT_FALSE(without.swing_compensation);
     EXPECT_EQ(without.disturbances.at(0).p_L, with.disturbances.at(0).p_L);

@@ -115,7 +115,7 @@ TEST(Payload, IsAForceOfTheTruthButNoneToBeApplied) {
   schedule.update(0.001, kStanding, {});
   EXPECT_EQ(schedule.true_forces().size(), 1u);
   schedule.update(0.002, kStanding, {});
-  EXPECT_TRUE(schedule.changed());
+  EXPECT_TRUE(schedule.began());
   ASSERT_EQ(schedule.forces().size(), 1u);
   EXPECT_EQ(schedule.forces()[0].force_W, Vec3(7.0, 0.0, 0.0));
   ASSERT_EQ(schedule.true_forces().size(), 2u);
@@ -123,7 +123,7 @@ TEST(Payload, IsAForceOfTheTruthButNoneToBeApplied) {
   EXPECT_EQ(schedule.true_forces()[1].p_L, Vec3(0.1, 0.0, 0.08));
   EXPECT_EQ(schedule.true_forces()[1].leg, AppliedForce::kTrunk);
   schedule.update(0.003, kStanding, {});
-  EXPECT_FALSE(schedule.changed());
+  EXPECT_FALSE(schedule.began());
 }
 
 TEST(Payload, NamesWhatIsNotPhysical) {
