@@ -72,6 +72,7 @@ void add_leg(SignalList& list, std::size_t l) {
   list.add_axes(leg + "/foot", "m", 3, [l](const Record& r) { return r.foot[l]; });
   list.add_axes(leg + "/foot_reference", "m", 3, [l](const Record& r) { return r.foot_reference[l]; });
   list.add(leg + "/foot_error_m", [l](const Record& r) { return (r.foot[l] - r.foot_reference[l]).norm(); });
+  list.add_axes(leg + "/foothold", "m", 3, [l](const Record& r) { return r.foothold[l]; });
   list.add(leg + "/foothold_clamped", [l](const Record& r) { return r.foothold_clamped[l]; });
   list.add_axes(leg + "/force_commanded", "N", 3,
                 [first](const Record& r) { return Vec3(r.foot_force_commanded.segment<3>(first)); });

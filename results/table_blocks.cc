@@ -193,7 +193,7 @@ std::vector<std::string> comparison_legend(const std::vector<TableRow>& rows) {
 std::vector<std::string> timing_legend() {
   return {
       "tick: one control tick (model, observer, gait, planner, QP, torques). QP: one solve. speed: simulated time over "
-      "wall time of the trial. From a serial pass: medians over the seeds, of tick max the largest."};
+      "wall time of the trial. From a serial pass: medians over the seeds, of tick max and QP max the largest."};
 }
 
 }  // namespace dob

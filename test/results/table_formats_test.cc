@@ -111,13 +111,13 @@ TEST(TableTextTest, OverridesAndGainsMakeBlocksOfTheirOwn) {
 
 TEST(TableTextTest, TimingAddsABlockOfWhatASerialPassMeasured) {
   dob::Run run = run_of({survived(key("s", "", "o", "-", 1), 0.001), survived(key("t", "", "o", "-", 1), 0.001)});
-  run.timings = {{run.cells[0].key, 112.0, 187.4, 321.0, 31.2, 44.1, 23.25}};
+  run.timings = {{run.cells[0].key, 112.0, 187.4, 321.0, 31.2, 44.1, 57.0, 23.25}};
   const std::string text = render(run, TableFormat::kText, TableOrder::kByScenario, true);
   EXPECT_THAT(text, HasSubstr(R"(
 time, s: gains paper, planner spline
-  observer  profile  tick p50  tick p99  tick max  QP p50  QP p99     speed
-                         [us]      [us]      [us]    [us]    [us]  [x real]
-  o         -             112       187       321    31.2    44.1      23.2
+  observer  profile  tick p50  tick p99  tick max  QP p50  QP p99  QP max     speed
+                         [us]      [us]      [us]    [us]    [us]    [us]  [x real]
+  o         -             112       187       321    31.2    44.1      57      23.2
 
 )"));
   EXPECT_THAT(text, ::testing::Not(HasSubstr("time, t:")));
