@@ -41,7 +41,8 @@ Json data_without_traces(const fs::path& dir, const Run& run, const ReportIndex&
   data["claims"] = claims_json(run, missing);
   data["timing"] = timing_json(run, index);
   data["robot"] = report_robot(scenarios, missing);
-  data["traces"] = data["left_out"] = Json::array();
+  data["traces"] = Json::array();
+  data["left_out"] = Json::array();
   data["missing"] = missing;
   return data;
 }
