@@ -31,8 +31,8 @@ struct Resolution {
 constexpr std::array kResolutions{
     Resolution{"_m", 5e-4, 1e-5},    //
     Resolution{"_rad", 1e-3, 1e-4},  //
-    Resolution{"_N", 0.25, 0.02},    //
-    Resolution{"_Nm", 0.05, 0.005},  //
+    Resolution{"_N", 0.25, 0.05},    //
+    Resolution{"_Nm", 0.05, 0.01},   //
 };
 constexpr double kQuaternionResolution = 2e-4;  // "trunk/q."
 

@@ -31,7 +31,8 @@ TEST_F(ReportPage, TheDataStandInTheMarkersPlace) {
 }
 
 TEST_F(ReportPage, ATemplateHasTheMarkerOnce) {
-  EXPECT_THAT(store_error([&] { PageTemplate{file}; }), HasSubstr("template.html: the report's template cannot be read"));
+  EXPECT_THAT(store_error([&] { PageTemplate{file}; }),
+              HasSubstr("template.html: the report's template cannot be read"));
   append_text(file, "<!doctype html>\n");
   EXPECT_THAT(store_error([&] { PageTemplate{file}; }), HasSubstr("<!--REPORT-DATA--> must be there once"));
   append_text(file, "<!--REPORT-DATA-->\n<!--REPORT-DATA-->\n");

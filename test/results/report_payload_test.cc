@@ -51,8 +51,8 @@ TEST(ReportPayload, FramesOfAnotherRateAreTheNearestSamples) {
 
 TEST(ReportPayload, PlotsKeepAPeakOfOneSampleAtItsTime) {
   const double peak = 23.45;  // [s] of 60
-  const PageTrace page = encoded(trace_of(
-      6001, {{"com_error_m", [peak](double t) { return std::abs(t - peak) < 0.004 ? 0.5 : 0.01; }}}));
+  const PageTrace page =
+      encoded(trace_of(6001, {{"com_error_m", [peak](double t) { return std::abs(t - peak) < 0.004 ? 0.5 : 0.01; }}}));
   const auto& plots = page.description()["plots"];
   const std::vector<double> error = page.plot("com_error_m");
   ASSERT_EQ(error.size(), plots["points"].get<std::size_t>());

@@ -91,9 +91,7 @@ struct Page {
     return html.substr(first, html.find("</script", first) - first);
   }
 
-  PageTrace trace(std::size_t i) const {
-    return {data.at("traces").at(i), script(fmt::format("trace-{}", i)).value()};
-  }
+  PageTrace trace(std::size_t i) const { return {data.at("traces").at(i), script(fmt::format("trace-{}", i)).value()}; }
 
   std::string missing() const { return data.at("missing").dump(); }
 };

@@ -30,8 +30,12 @@ TEST(ReportText, NothingEndsTheScriptElementAndTheTextComesBack) {
 }
 
 TEST(ReportText, BytesThatAreNoTextAreReplaced) {
-  const std::string text = script_json({{"name", "a\xFF" "b"}});
-  EXPECT_EQ(nlohmann::json::parse(text).at("name"), "a\xEF\xBF\xBD" "b");
+  const std::string text = script_json({{"name",
+                                         "a\xFF"
+                                         "b"}});
+  EXPECT_EQ(nlohmann::json::parse(text).at("name"),
+            "a\xEF\xBF\xBD"
+            "b");
 }
 
 }  // namespace

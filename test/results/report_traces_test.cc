@@ -98,7 +98,8 @@ TEST_F(ReportTracesInRoom, EveryTraceIsEitherTakenOrNamedAsLeftOut) {
     EXPECT_LE(bytes, room);
     for (std::size_t i = 0; i < some.left_out.size(); ++i) {
       const int seed = static_cast<int>(some.payloads.size() + i) + 1;
-      EXPECT_EQ(some.left_out[i]["what"], fmt::format("traces of case1/a (gains paper, planner spline), seed {}: none", seed));
+      EXPECT_EQ(some.left_out[i]["what"],
+                fmt::format("traces of case1/a (gains paper, planner spline), seed {}: none", seed));
       EXPECT_EQ(some.left_out[i]["why"], "size limit");
     }
   }
