@@ -27,8 +27,12 @@ constexpr std::array kCellMetrics{
     metric_index("orientation_error_max_rad"),
 };
 
+double with_digits(double x, int digits) {
+  return std::stod(fmt::format("{:.{}g}", x, digits));
+}
+
 Json seven_digits(const std::optional<double>& x) {
-  return x ? Json(std::stod(fmt::format("{:.7g}", *x))) : Json();
+  return x ? Json(with_digits(*x, 7)) : Json();
 }
 
 // Of a row of the table.
@@ -63,7 +67,9 @@ Json cell_json(const CellKey& key, const CellResult* result, const ReportIndex& 
 
 Json histogram_json(const TimeHistogram& histogram) {
   if (histogram.counts.empty()) return {};
-  return {{"edges_us", histogram.edges_us}, {"counts", histogram.counts}};
+  Json edges = Json::array();
+  for (const double edge : histogram.edges_us) edges.push_back(with_digits(edge, 4));
+  return {{"edges_us", std::move(edges)}, {"counts", histogram.counts}};
 }
 
 std::string number_of(std::size_t n, std::string_view thing) {

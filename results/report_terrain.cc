@@ -1,10 +1,11 @@
 #include "results/report_terrain.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "results/report_text.h"
 #include "scenarios/laid_terrain.h"
@@ -60,8 +61,8 @@ Json boxes_json(const Terrain& terrain) {
   return boxes;
 }
 
-Json metric_leg_json(const Scenario& scenario) {
-  return scenario.metric_leg ? Json(kLegNames.at(static_cast<std::size_t>(*scenario.metric_leg))) : Json("all");
+std::string metric_leg(const Scenario& scenario) {
+  return scenario.metric_leg ? std::string(kLegNames.at(static_cast<std::size_t>(*scenario.metric_leg))) : "all";
 }
 
 }  // namespace
@@ -96,9 +97,9 @@ Json scenarios_json(const std::vector<ReportScenario>& scenarios, const ReportIn
     const std::string id = index.scenario_id(entry.cell);
     Json json{{"id", id}, {"scenario", entry.cell.scenario}, {"variant", entry.cell.variant}};
     const Scenario* s = entry.scenario ? &*entry.scenario : nullptr;
-    json["summary"] = s != nullptr ? Json(s->summary) : Json();
+    json["summary"] = s != nullptr ? s->summary : "";
     json["duration_s"] = s != nullptr ? Json(s->duration) : Json();
-    json["metric_leg"] = s != nullptr ? metric_leg_json(*s) : Json();
+    json["metric_leg"] = s != nullptr ? metric_leg(*s) : "all";
     json["set"] = paper.contains(id) ? "paper" : "extra";
     json["seed"] = entry.cell.seed;
     json["boxes"] = s != nullptr ? boxes_json(laid_terrain(*s, entry.cell.seed)) : Json::array();

@@ -87,7 +87,11 @@ TEST(ReportPayload, AForceThatActsForAWhileDoesNotApplyBesides) {
   const std::vector<double> x = encoded(trace_of(200, {{"applied/point/x_m", point}})).replay("applied/point/x_m");
   ASSERT_EQ(x.size(), 50U);
   for (std::size_t k = 0; k < x.size(); ++k) {
-    k < 25 ? EXPECT_TRUE(std::isnan(x[k])) << k : EXPECT_NEAR(x[k], 0.25, 1e-3) << k;
+    if (k < 25) {
+      EXPECT_TRUE(std::isnan(x[k])) << k;
+    } else {
+      EXPECT_NEAR(x[k], 0.25, 1e-3) << k;
+    }
   }
 }
 

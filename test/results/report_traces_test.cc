@@ -75,7 +75,7 @@ class ReportTracesInRoom : public test::ReportFixture {
   }
 
   ReportTraces take(std::size_t room) const {
-    const Run run = read_run(dir);
+    const dob::Run run = read_run(dir);
     return take_traces(dir, run, ReportIndex(run.info.cells), room, "size limit");
   }
 };
