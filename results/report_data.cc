@@ -35,15 +35,14 @@ Json seven_digits(const std::optional<double>& x) {
   return x ? Json(with_digits(*x, 7)) : Json();
 }
 
-// Of a row of the table.
-CellKey key_of(const Json& row) {
-  return {.scenario = row.at("scenario"),
-          .variant = row.at("variant"),
-          .observer = row.at("observer"),
-          .profile = row.at("profile"),
-          .gains = row.at("gains"),
-          .planner = row.at("planner"),
-          .overrides = row.at("overrides")};
+// What a row of the table is called; bytes that are not UTF-8 are replaced in it, as they are in the row.
+std::string row_name(const CellKey& key) {
+  return one_line({key.scenario, key.variant, key.observer, key.profile, key.gains, key.planner, key.overrides});
+}
+
+std::string row_name(const Json& row) {
+  return one_line({row.at("scenario"), row.at("variant"), row.at("observer"), row.at("profile"), row.at("gains"),
+                   row.at("planner"), row.at("overrides")});
 }
 
 void hide_directories(Json& text) {
@@ -122,9 +121,11 @@ Json settings_json(const ReportIndex& index) {
 }
 
 Json rows_json(const Run& run, const ReportIndex& index) {
+  std::map<std::string, const CellKey*> keys;
+  for (const CellKey& key : run.info.cells) keys.emplace(row_name(key), &key);
   Json rows = Json::parse(render_table(run, {.format = TableFormat::kJson, .timing = true}));
   for (Json& row : rows) {
-    row.update(index.ids(key_of(row)));
+    row.update(index.ids(*keys.at(row_name(row))));
     hide_directories(row["fall_reason"]);
     hide_directories(row["error_reason"]);
   }

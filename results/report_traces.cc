@@ -204,7 +204,6 @@ ReportTraces take_traces(const fs::path& dir, const Run& run, const ReportIndex&
       if (used + size > room) break;
       used += size;
       lacks.look_at(recorded);
-      out.cells.push_back(&cell);
       out.descriptions.push_back(std::move(description));
       out.payloads.push_back(trace.base64);
     } catch (const StoreError& error) {

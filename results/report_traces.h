@@ -19,11 +19,11 @@ namespace dob {
 std::vector<const CellResult*> traces_in_order(const Run& run, const ReportIndex& index);
 
 struct ReportTraces {
-  std::vector<const CellResult*> cells;  // of the traces, in their order
-  Json descriptions = Json::array();     // {"cell", ids, "seed", "bytes", and those of results/report_payload.h}
-  std::vector<std::string> payloads;     // base64, for trace_element() of results/report_page.h
-  Json left_out = Json::array();         // [{"what", "why"}]
-  std::vector<std::string> missing;      // what was not recorded, and what cannot be read
+  // {"cell" (its place in the plan), ids, "seed", "bytes", and those of results/report_payload.h}
+  Json descriptions = Json::array();
+  std::vector<std::string> payloads;  // base64, for trace_element() of results/report_page.h
+  Json left_out = Json::array();      // [{"what", "why"}]
+  std::vector<std::string> missing;   // what was not recorded, and what cannot be read
 };
 
 // As many of them, in that order, as fit into `room` bytes of the page with all that is said about them. `limit` is

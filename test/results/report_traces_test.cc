@@ -8,7 +8,6 @@
 namespace dob {
 namespace {
 
-using test::fell;
 using test::key;
 using test::survived;
 using test::with_trace;
