@@ -17,30 +17,30 @@ namespace {
 
 constexpr double kReplayRate = 25.0;       // [Hz]
 constexpr double kFastest = 1e6;           // [Hz] that anything is recorded with
-constexpr std::size_t kMostBuckets = 600;  // of a plot: about one for a pixel
+constexpr std::size_t kMostBuckets = 500;  // of a plot: two points each, about one for a pixel
 constexpr int kCompression = 9;
 
 using Names = std::vector<std::string>;
 
-// Steps in which values are kept: what the eye sees of a replay, what a plot is zoomed into. By the unit that ends the
+// Steps in which values are kept: what the eye sees of a replay, what a plot is zoomed into. The first that fits the
 // signal's name.
 struct Resolution {
-  std::string_view unit;
+  std::string_view begin, end;  // of the name
   double replay, plots;
 };
 constexpr std::array kResolutions{
-    Resolution{"_m", 5e-4, 1e-5},    //
-    Resolution{"_rad", 1e-3, 1e-4},  //
-    Resolution{"_N", 0.25, 0.05},    //
-    Resolution{"_Nm", 0.05, 0.01},   //
+    Resolution{"trunk/q", "", 2e-4, 2e-4},
+    Resolution{"zmp/", "_m", 5e-4, 1e-4},  // places; the other lengths are errors in the plots
+    Resolution{"", "_m", 5e-4, 2e-5},      //
+    Resolution{"", "_rad", 1e-3, 1e-4},    //
+    Resolution{"", "_N", 0.5, 0.1},        //
+    Resolution{"", "_Nm", 0.1, 0.02},      //
+    Resolution{"", "", 1.0, 1.0},          // what is left is counted
 };
-constexpr double kQuaternionResolution = 2e-4;  // "trunk/q."
 
 double resolution_of(const std::string& name, double Resolution::*use) {
-  for (const Resolution& resolution : kResolutions) {
-    if (name.ends_with(resolution.unit)) return resolution.*use;
-  }
-  return name.starts_with("trunk/q") ? kQuaternionResolution : 1.0;  // what is left is counted
+  const auto fits = [&](const Resolution& r) { return name.starts_with(r.begin) && name.ends_with(r.end); };
+  return *std::find_if(kResolutions.begin(), kResolutions.end(), fits).*use;
 }
 
 void add_axes(Names& names, const std::string& vector, std::string_view unit, std::string_view axes = "xyz") {

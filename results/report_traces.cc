@@ -36,22 +36,23 @@ class Wanted {
   using Rank = std::tuple<std::size_t, std::size_t, std::size_t, std::size_t, std::size_t, std::size_t>;
 
   explicit Wanted(const Run& run, const ReportIndex& index) : index_(index) {
-    const auto is_tuned = [](const CellKey& cell) { return cell.profile == "tuned"; };
-    if (std::any_of(run.info.cells.begin(), run.info.cells.end(), is_tuned)) profiles_.of("tuned");
     for (const CellKey& cell : run.info.cells) {
-      if (cell.profile != "-") profiles_.of(cell.profile);
+      if (cell.profile == "tuned") profiles_[cell.scenario].of(cell.profile);
       variants_[cell.scenario].of(cell.variant);
       scenarios_.of(cell.scenario);
       if (cell.gains == "paper") settings_[index.scenario(cell)].of(index.setting(cell));
     }
-    for (const CellKey& cell : run.info.cells) settings_[index.scenario(cell)].of(index.setting(cell));
+    for (const CellKey& cell : run.info.cells) {
+      settings_[index.scenario(cell)].of(index.setting(cell));
+      if (cell.profile != "-") profiles_[cell.scenario].of(cell.profile);
+    }
   }
 
   Rank of(const CellKey& cell) {
     const std::size_t seed = seeds_[without_seed(cell)].of(cell.seed);
     return {seed,
             settings_[index_.scenario(cell)].of(index_.setting(cell)),
-            cell.profile == "-" ? 0 : profiles_.of(cell.profile),
+            cell.profile == "-" ? 0 : profiles_[cell.scenario].of(cell.profile),
             variants_[cell.scenario].of(cell.variant),
             scenarios_.of(cell.scenario),
             index_.observer(cell)};
@@ -64,10 +65,10 @@ class Wanted {
   }
 
   const ReportIndex& index_;
-  Ranks<std::string> profiles_, scenarios_;
-  std::map<std::string, Ranks<std::string>> variants_;  // of a scenario
-  std::map<std::size_t, Ranks<std::size_t>> settings_;  // of a scenario and variant
-  std::map<CellKey, Ranks<int>> seeds_;                 // of a row of the tables
+  Ranks<std::string> scenarios_;
+  std::map<std::string, Ranks<std::string>> variants_, profiles_;  // of a scenario
+  std::map<std::size_t, Ranks<std::size_t>> settings_;             // of a scenario and variant
+  std::map<CellKey, Ranks<int>> seeds_;                            // of a row of the tables
 };
 
 // "traces of case1/knee, seed 1: none, momentum@tuned", one for each scenario, setting and seed.

@@ -13,7 +13,7 @@
 namespace dob {
 
 // The finished cells that have kept a trace, the most wanted first: the first variant of every scenario file for every
-// observer in its first profile (tuned, else the run's first; observers without profiles always), with the gains
+// observer in the first profile (tuned, else the scenario's first; observers without profiles always), with the gains
 // "paper" (else the first) and the scenario's first planner; then the other variants; then the other profiles; then the
 // other gains, planners and overrides; then the other seeds.
 std::vector<const CellResult*> traces_in_order(const Run& run, const ReportIndex& index);

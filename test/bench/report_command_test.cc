@@ -85,14 +85,18 @@ TEST_F(CommandLine, ARunThatWasStoppedIsReportedAsFarAsItIs) {
   const dob::Run whole = dob::read_run(dir / "run");
   {
     // The same run with one of its cells only.
-    dob::RunStore store = dob::RunStore::create(dir / "part", whole.info, {});
+    const std::string name = whole.info.sources.front().scenario;
+    const std::string toml = dob::test::read(dir / "run" / "scenarios" / (name + ".toml"));
+    dob::RunStore store = dob::RunStore::create(dir / "part", whole.info, {{name, toml}});
     store.append(whole.cells.front());
   }
   const Answer answer = dobbench("report part");
   ASSERT_EQ(answer.exit_code, 0) << answer.err;
   EXPECT_NE(answer.out.find("3 of 4 cells have not been run"), std::string::npos) << answer.out;
   EXPECT_NE(answer.out.find("traces/"), std::string::npos) << "its trace is not there: " << answer.out;
-  EXPECT_EQ(read_page(dir / "part" / "report.html").data["cells"][3]["outcome"], "pending");
+  const Page page = read_page(dir / "part" / "report.html");
+  EXPECT_EQ(page.data["cells"][3]["outcome"], "pending");
+  EXPECT_EQ(page.data["scenarios"][0]["duration_s"], 1.5);
 }
 
 TEST_F(CommandLine, ARunWithoutTimeSeriesIsAPageThatSaysHowToKeepThem) {

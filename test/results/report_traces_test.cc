@@ -57,6 +57,13 @@ TEST(ReportTraces, WithoutTunedOnesTheRunsFirstProfileComesFirst) {
                           "case1/a momentum@paper paper 1"));
 }
 
+TEST(ReportTraces, AScenarioThatIsNotRunTunedIsThereInItsFirstProfile) {
+  EXPECT_THAT(order_of({key("case1", "a", "momentum", "tuned", 1), key("case1", "b", "momentum", "tuned", 1),
+                        key("orders", "", "momentum", "paper", 1)}),
+              ElementsAre("case1/a momentum@tuned paper 1", "orders/ momentum@paper paper 1",
+                          "case1/b momentum@tuned paper 1"));
+}
+
 // Five cells of one scenario whose traces take about as much room as one another.
 class ReportTracesInRoom : public test::ReportFixture {
  protected:
