@@ -28,6 +28,7 @@ Command add_analyse_command(CLI::App& app);
 Command add_check_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
 Command add_list_command(CLI::App& app);
+Command add_report_command(CLI::App& app);
 Command add_run_command(CLI::App& app, const std::string& command_line);
 Command add_table_command(CLI::App& app);
 Command add_timing_command(CLI::App& app, const std::string& command_line);

@@ -27,6 +27,7 @@ int run(int argc, char** argv) {
       {"check", dob::add_check_command(app)},
       {"compare", dob::add_compare_command(app)},
       {"list", dob::add_list_command(app)},
+      {"report", dob::add_report_command(app)},
       {"run", dob::add_run_command(app, command_line(argc, argv))},
       {"table", dob::add_table_command(app)},
       {"timing", dob::add_timing_command(app, command_line(argc, argv))},

@@ -43,7 +43,9 @@ CellTiming time_cell(const Scenario& scenario, const PlannedCell& cell, double s
           .qp_p50_us = median(qp),
           .qp_p99_us = quantile(qp, 0.99),
           .qp_max_us = quantile(qp, 1.0),
-          .real_time_factor = trial.time() / wall_s};
+          .real_time_factor = trial.time() / wall_s,
+          .tick_histogram = time_histogram(tick),
+          .qp_histogram = time_histogram(qp)};
 }
 
 std::vector<PlannedCell> first_seeds(const BatchPlan& plan) {

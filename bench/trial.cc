@@ -12,6 +12,7 @@
 #include "observers/factory.h"
 #include "results/metrics.h"
 #include "robot/standing_pose.h"
+#include "scenarios/laid_terrain.h"
 #include "sim/random_stream.h"
 
 namespace dob {
@@ -35,16 +36,6 @@ std::uint64_t hash_state(std::uint64_t hash, const RobotState& s) noexcept {
   add(s.q.data(), kJoints);
   add(s.qd.data(), kJoints);
   return hash;
-}
-
-// The terrain with the blocks where this seed puts them.
-Terrain laid_terrain(const Scenario& s, int seed) {
-  Terrain terrain = s.terrain;
-  if (s.block_field) {
-    const auto blocks = lay_blocks(*s.block_field, static_cast<std::uint64_t>(seed));
-    terrain.boxes.insert(terrain.boxes.end(), blocks.begin(), blocks.end());
-  }
-  return terrain;
 }
 
 // What controller and observer take the robot to be.

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "results/time_histogram.h"
+
 namespace dob {
 
 struct CellKey {
@@ -67,6 +69,7 @@ struct CellTiming {
   double tick_p50_us = 0.0, tick_p99_us = 0.0, tick_max_us = 0.0;  // [us] model, observer, controller with its QP
   double qp_p50_us = 0.0, qp_p99_us = 0.0, qp_max_us = 0.0;        // [us] ticks' QP, at ticks where one was solved
   double real_time_factor = 0.0;                                   // simulated over wall time, simulator included
+  TimeHistogram tick_histogram, qp_histogram;                      // of the same; empty: not kept
 };
 
 }  // namespace dob

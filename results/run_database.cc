@@ -36,7 +36,8 @@ CREATE VIEW overview AS
 
 // " REAL" would make SQLite keep some values as integers, and a negative zero lose its sign: numbers have no type.
 std::string create_table(std::string_view table, const std::vector<std::string>& columns, std::string_view key) {
-  return fmt::format("CREATE TABLE {}({}, PRIMARY KEY({})) WITHOUT ROWID;\n", table, fmt::join(columns, ", "), key);
+  return fmt::format("CREATE TABLE IF NOT EXISTS {}({}, PRIMARY KEY({})) WITHOUT ROWID;\n", table,
+                     fmt::join(columns, ", "), key);
 }
 
 void require_version(SQLite::Database& database, const fs::path& file) {
@@ -65,6 +66,10 @@ SQLite::Database create_database(const fs::path& file) {
   database.exec(kOverview);
   transaction.commit();
   return database;
+}
+
+void create_histogram_table(SQLite::Database& database) {
+  database.exec(create_table(kHistogramTable, kHistogramColumns, "cell, quantity, low_us"));
 }
 
 SQLite::Database open_database(const fs::path& dir) {

@@ -8,6 +8,8 @@
 //   checkpoint  metrics of a cell up to a moment
 //   shadow      observers that ran along
 //   timing      of a serial pass
+//   timing_histogram  how the tick and QP times of that pass are distributed; made with the first timing, so that runs
+//                     from before it was kept are of the same version and simply have none
 //   overview    (view) everything that is known of a cell as one row
 //
 // The journal is SQLite's rollback journal, not the write-ahead log: a run at rest is one file, which can be copied and
@@ -64,10 +66,25 @@ inline constexpr std::array kTimingColumns{
     TimingColumn{"real_time_factor", &CellTiming::real_time_factor},
 };
 
+// What the table timing_histogram calls a quantity.
+struct HistogramField {
+  std::string_view quantity;
+  TimeHistogram CellTiming::*field;
+};
+inline constexpr std::array kHistogramFields{
+    HistogramField{"tick", &CellTiming::tick_histogram},
+    HistogramField{"qp", &CellTiming::qp_histogram},
+};
+inline constexpr const char* kHistogramTable = "timing_histogram";
+inline const std::vector<std::string> kHistogramColumns{"cell", "quantity", "low_us", "high_us", "count"};
+
 inline constexpr std::array<std::string_view, 3> kOutcomes{"survived", "fell", "error"};  // of Outcome
 
 // Makes the database `file` with its tables, empty.
 SQLite::Database create_database(const std::filesystem::path& file);
+
+// Makes the table of the histograms where there is none.
+void create_histogram_table(SQLite::Database& database);
 
 // Opens that of a run directory. For reading too it is opened for writing where it may be, so that the transaction of a
 // process that was killed is rolled back. Throws StoreError if there is none, or not one of this version.

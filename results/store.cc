@@ -84,6 +84,19 @@ struct RunStore::Impl {
       insert_shadow.exec();
     }
   }
+
+  void write_histograms(long cell, const CellTiming& timing) {
+    create_histogram_table(database);
+    database.exec(fmt::format("DELETE FROM {} WHERE cell = {}", kHistogramTable, cell));
+    SQLite::Statement insert(database, insert_into(kHistogramTable, kHistogramColumns));
+    for (const HistogramField& histogram : kHistogramFields) {
+      const auto& [edges, counts] = timing.*histogram.field;
+      for (std::size_t i = 0; i < counts.size(); ++i) {
+        RowBinder(insert).add(cell).add(histogram.quantity).add(edges[i]).add(edges[i + 1]).add(counts[i]);
+        insert.exec();
+      }
+    }
+  }
 };
 
 RunStore::RunStore(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -125,10 +138,12 @@ void RunStore::append(const CellResult& cell) {
 
 void RunStore::append(const CellTiming& timing) {
   impl_->write([&] {
+    const long id = impl_->id_of(timing.key);
     RowBinder row(impl_->insert_timing);
-    row.add(impl_->id_of(timing.key)).add(impl_->batch);
+    row.add(id).add(impl_->batch);
     for (const TimingColumn& column : kTimingColumns) row.add(timing.*column.field);
     impl_->insert_timing.exec();
+    impl_->write_histograms(id, timing);
   });
 }
 

@@ -118,6 +118,9 @@ std::string timing_to_line(const CellTiming& timing) {
   Json json = Json::array();
   json.push_back(key_to_json(timing.key));
   for (const TimingColumn& column : kTimingColumns) json.push_back(timing.*column.field);
+  for (const HistogramField& histogram : kHistogramFields) {
+    json.push_back({(timing.*histogram.field).edges_us, (timing.*histogram.field).counts});
+  }
   return one_line(json);
 }
 
@@ -128,6 +131,11 @@ CellTiming timing_from_line(const std::string& line) {
     timing.key = key_from_json(json.at(0));
     for (std::size_t i = 0; i < kTimingColumns.size(); ++i)
       timing.*kTimingColumns[i].field = json.at(i + 1).get<double>();
+    for (std::size_t i = 0; i < kHistogramFields.size(); ++i) {
+      const Json& histogram = json.at(i + 1 + kTimingColumns.size());
+      histogram.at(0).get_to((timing.*kHistogramFields[i].field).edges_us);
+      histogram.at(1).get_to((timing.*kHistogramFields[i].field).counts);
+    }
     return timing;
   } catch (const std::exception& error) {
     throw StoreError(fmt::format("a cell's timing cannot be read: {}", error.what()));

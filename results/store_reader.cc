@@ -58,6 +58,7 @@ class Reader {
     read_checkpoints();
     read_shadows();
     read_timings();
+    read_histograms();
     note_machines();
     return std::move(run_);
   }
@@ -158,6 +159,26 @@ class Reader {
       CellTiming& timing = run_.timings.emplace_back();
       timing.key = key_of(row, "timing");
       for (int i = 1; const TimingColumn& column : kTimingColumns) timing.*column.field = number(row, i++);
+    }
+  }
+
+  // Each behind the other, from the shortest; a run from before they were kept has none.
+  void read_histograms() {
+    if (columns_of(kHistogramTable).empty()) return;
+    std::map<CellKey, CellTiming*> timings;
+    for (CellTiming& timing : run_.timings) timings[timing.key] = &timing;
+    SQLite::Statement row(database_, fmt::format("SELECT {} FROM {} ORDER BY cell, quantity, low_us",
+                                                 fmt::join(kHistogramColumns, ", "), kHistogramTable));
+    while (row.executeStep()) {
+      const auto timing = timings.find(key_of(row, kHistogramTable));
+      if (timing == timings.end()) continue;
+      for (const HistogramField& histogram : kHistogramFields) {
+        if (row.getColumn(1).getString() != histogram.quantity) continue;
+        TimeHistogram& bins = timing->second->*histogram.field;
+        if (bins.edges_us.empty()) bins.edges_us.push_back(number(row, 2));
+        bins.edges_us.push_back(number(row, 3));
+        bins.counts.push_back(row.getColumn(4).getInt64());
+      }
     }
   }
 

@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include "results/store.h"
+#include "results/zlib_stream.h"
 
 namespace dob {
 namespace {
@@ -53,17 +54,6 @@ std::vector<float> column_from(const std::string& bytes, std::size_t begin, std:
     column[i] = std::bit_cast<float>(bits);
   }
   return column;
-}
-
-std::string compressed(const std::string& bytes) {
-  uLongf size = compressBound(bytes.size());
-  std::string out(size, '\0');
-  if (compress2(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size(),
-                kCompression) != Z_OK) {
-    throw StoreError("a trace cannot be compressed");
-  }
-  out.resize(size);
-  return out;
 }
 
 std::string uncompressed(std::string_view bytes, std::size_t expected) {
@@ -113,7 +103,7 @@ void write_trace(const fs::path& file, const Trace& trace) {
   std::string bytes(kMagic);
   append(bytes, kVersion);
   append(bytes, static_cast<std::uint32_t>(text.size()));
-  bytes += text + compressed(sorted_bytes(trace.columns));
+  bytes += text + zlib_stream(sorted_bytes(trace.columns), kCompression);
   const fs::path part = file.string() + ".part";
   std::ofstream out(part, std::ios::binary);
   out << bytes;

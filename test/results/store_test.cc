@@ -195,7 +195,36 @@ TEST_F(StoreTest, TimingsReadBackInTheOrderOfTheRunAndTheLastOneCounts) {
   EXPECT_EQ(timings[1].tick_max_us, 3.0);
   EXPECT_EQ(timings[1].qp_p99_us, 5.0);
   EXPECT_EQ(timings[1].qp_max_us, 5.5);
+  EXPECT_EQ(timings[1].tick_histogram, TimeHistogram()) << "none was given";
   EXPECT_TRUE(read_cells(dir).empty());
+}
+
+TEST_F(StoreTest, HistogramsReadBackAndAreReplacedWithTheirTiming) {
+  const CellKey a = key("s", "", "a", "-", 1), b = key("s", "", "b", "-", 1);
+  const TimeHistogram tick{{1.0, 2.0, 4.0, 8.0}, {3, 0, 7}}, qp{{0.1, 0.3}, {12}}, later{{5.0, 6.0}, {1}};
+  RunStore store = RunStore::create(dir, info_of({a, b}), {});
+  store.append(CellTiming{.key = a, .tick_histogram = later, .qp_histogram = later});
+  store.append(CellTiming{.key = b, .qp_histogram = later});
+  store.append(timing_from_line(timing_to_line({.key = a, .tick_histogram = tick, .qp_histogram = qp})));
+  const std::vector<CellTiming> timings = read_run(dir).timings;
+  ASSERT_EQ(timings.size(), 2U);
+  EXPECT_EQ(timings[0].tick_histogram, tick);
+  EXPECT_EQ(timings[0].qp_histogram, qp);
+  EXPECT_EQ(timings[1].tick_histogram, TimeHistogram());
+  EXPECT_EQ(timings[1].qp_histogram, later);
+}
+
+TEST_F(StoreTest, ARunFromBeforeHistogramsWereKeptHasNoneUntilItIsTimedAgain) {
+  const CellKey a = key("s", "", "a", "-", 1);
+  RunStore store = RunStore::create(dir, info_of({a}), {});
+  store.append(CellTiming{.key = a, .tick_p50_us = 1.0, .tick_histogram = {{1.0, 2.0}, {5}}});
+  SQLite::Database(dir / "run.sqlite", SQLite::OPEN_READWRITE).exec("DROP TABLE timing_histogram");
+  const std::vector<CellTiming> before = read_run(dir).timings;
+  ASSERT_EQ(before.size(), 1U);
+  EXPECT_EQ(before[0].tick_p50_us, 1.0);
+  EXPECT_TRUE(before[0].tick_histogram.counts.empty());
+  store.append(CellTiming{.key = a, .tick_histogram = {{1.0, 2.0}, {6}}});
+  EXPECT_EQ(read_run(dir).timings.at(0).tick_histogram.counts, std::vector<long>{6});
 }
 
 TEST_F(StoreTest, SourcesOfTheCellsReadBack) {

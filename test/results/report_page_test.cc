@@ -1,0 +1,57 @@
+#include "results/report_page.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "test/results/run_samples.h"
+
+namespace dob {
+namespace {
+
+namespace fs = std::filesystem;
+using test::append_text;
+using test::read_text;
+using test::store_error;
+using ::testing::HasSubstr;
+
+class ReportPage : public ::testing::Test {
+ protected:
+  test::TemporaryDirectory temporary;
+  fs::path file = temporary.path() / "template.html";
+};
+
+TEST_F(ReportPage, TheDataStandInTheMarkersPlace) {
+  append_text(file, "<!doctype html>\n<!--REPORT-DATA-->\n<p>end\n");
+  EXPECT_EQ(PageTemplate(file).with({{"a", 1}}, {"QUJD", "REVG"}),
+            "<!doctype html>\n"
+            "<script type=\"application/json\" id=\"report-data\">{\"a\":1}</script>\n"
+            "<script type=\"text/plain\" id=\"trace-0\">QUJD</script>\n"
+            "<script type=\"text/plain\" id=\"trace-1\">REVG</script>\n"
+            "<p>end\n");
+}
+
+TEST_F(ReportPage, ATemplateHasTheMarkerOnce) {
+  EXPECT_THAT(store_error([&] { PageTemplate{file}; }),
+              HasSubstr("template.html: the report's template cannot be read"));
+  append_text(file, "<!doctype html>\n");
+  EXPECT_THAT(store_error([&] { PageTemplate{file}; }), HasSubstr("<!--REPORT-DATA--> must be there once"));
+  append_text(file, "<!--REPORT-DATA-->\n<!--REPORT-DATA-->\n");
+  EXPECT_THAT(store_error([&] { PageTemplate{file}; }), HasSubstr("<!--REPORT-DATA--> must be there once"));
+}
+
+TEST_F(ReportPage, AFileIsReplacedAsAWholeOrNotAtAll) {
+  const fs::path page = temporary.path() / "page.html";
+  write_whole_file(page, "first");
+  write_whole_file(page, "second");
+  EXPECT_EQ(read_text(page), "second");
+  EXPECT_FALSE(fs::exists(page.string() + ".part"));
+  EXPECT_THAT(store_error([&] { write_whole_file(temporary.path() / "nowhere" / "page.html", "x"); }),
+              HasSubstr("page.html: cannot be written"));
+  fs::create_directories(temporary.path() / "taken.html" / "by");
+  EXPECT_THAT(store_error([&] { write_whole_file(temporary.path() / "taken.html", "x"); }),
+              HasSubstr("taken.html: cannot be written"));
+  EXPECT_FALSE(fs::exists(temporary.path() / "taken.html.part"));
+}
+
+}  // namespace
+}  // namespace dob
