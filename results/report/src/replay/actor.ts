@@ -79,7 +79,8 @@ export class Actor {
       if (recording.vector("path", "m", other)) parts.push(`path error ${millimetres(Math.hypot(com.x - other.x, com.y - other.y))}`);
     }
     if (recording.vector("trunk", "m", com)) parts.push(`trunk at ${com.toArray().map((x) => x.toFixed(2)).join(", ")} m`);
-    if (recording.vector("applied/force", "N", other)) parts.push(`force ${other.length().toFixed(1)} N`);
+    const pushed = recording.vector("applied/point", "m", com);
+    if (pushed && recording.vector("applied/force", "N", other)) parts.push(`disturbance ${other.length().toFixed(1)} N`);
     const fall = this.fall(t);
     return [...(fall ? [fall] : []), ...parts].join(", ");
   }

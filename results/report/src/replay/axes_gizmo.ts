@@ -1,6 +1,6 @@
 // The directions in a corner of each view: x of travel, y to the left, z up.
 import {
-  ArrowHelper, CanvasTexture, Group, OrthographicCamera, type PerspectiveCamera, Scene, Sprite, SpriteMaterial, Vector3,
+  ArrowHelper, CanvasTexture, Group, OrthographicCamera, type PerspectiveCamera, Scene, Sprite, SpriteMaterial, SRGBColorSpace, Vector3,
   type WebGLRenderer,
 } from "three";
 
@@ -9,7 +9,7 @@ const kAxes = [
   { name: "y", direction: new Vector3(0, 1, 0), color: "#3f9142" },
   { name: "z", direction: new Vector3(0, 0, 1), color: "#3b7dd8" },
 ];
-const kSize = 72; // [px]
+const kSize = 84; // [px]
 
 export class AxesGizmo {
   private readonly scene = new Scene();
@@ -60,5 +60,7 @@ function letter(text: string, color: string): CanvasTexture {
     pen.fillStyle = color;
     pen.fillText(text, 32, 32);
   }
-  return new CanvasTexture(canvas);
+  const texture = new CanvasTexture(canvas);
+  texture.colorSpace = SRGBColorSpace;
+  return texture;
 }

@@ -2,12 +2,13 @@
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
-// Offsets from the target [m]; x points in the direction of travel, y to the left, z up.
+// Offsets from the target [m]; x points in the direction of travel, y to the left, z up. Those that look from the right
+// are mirrored when what matters is on the left.
 export const kCameraPresets = {
-  orbit: { label: "Orbit", offset: new Vector3(-1.5, -2.1, 1.25) },
-  side: { label: "Side (from the right)", offset: new Vector3(0, -2.9, 0.35) },
-  front: { label: "Front", offset: new Vector3(2.7, 0, 0.5) },
-  top: { label: "Top", offset: new Vector3(0, -0.001, 3.4) },
+  orbit: { label: "Orbit", offset: new Vector3(-1.05, -1.6, 1.15) },
+  side: { label: "Side", offset: new Vector3(0, -2.3, 0.3) },
+  front: { label: "Front", offset: new Vector3(2.2, 0, 0.4) },
+  top: { label: "Top", offset: new Vector3(0, -0.001, 3.0) },
 } as const;
 
 export type CameraPreset = keyof typeof kCameraPresets;
@@ -17,6 +18,8 @@ export class FollowCamera {
   following = true;
   private readonly orbit: OrbitControls;
   private readonly robot = new Vector3();
+  private preset: CameraPreset = "orbit";
+  private fromLeft = false;
 
   constructor(canvas: HTMLCanvasElement, onChange: () => void) {
     this.camera.up.set(0, 0, 1);
@@ -35,9 +38,19 @@ export class FollowCamera {
   }
 
   use(preset: CameraPreset): void {
+    this.preset = preset;
+    const offset = kCameraPresets[preset].offset.clone();
+    if (this.fromLeft && offset.y < -0.1) offset.y *= -1;
     this.orbit.target.copy(this.robot);
-    this.camera.position.copy(this.robot).add(kCameraPresets[preset].offset);
+    this.camera.position.copy(this.robot).add(offset);
     this.orbit.update();
+  }
+
+  /** The side of the robot that is to be seen. A change takes the camera back to its preset. */
+  lookFromLeft(left: boolean): void {
+    if (left === this.fromLeft) return;
+    this.fromLeft = left;
+    this.use(this.preset);
   }
 
   /** Where the robot is now: the camera goes along by the same way if it follows. */

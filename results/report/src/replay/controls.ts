@@ -19,6 +19,14 @@ export interface ReplayActions {
   savePicture(): void;
 }
 
+const icon = (path: string) => `<svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path fill="currentColor" d="${path}"/></svg>`;
+const kIcons = {
+  play: icon("M4 2l10 6-10 6z"),
+  pause: icon("M3 2h4v12H3zM9 2h4v12H9z"),
+  back: icon("M12 2v12L4 8zM2 2h2v12H2z"),
+  on: icon("M4 2v12l8-6zM12 2h2v12h-2z"),
+};
+
 type Choice = [value: string, text: string];
 
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
@@ -27,7 +35,7 @@ export class Controls {
   readonly bar = element("div", "replay-bar");
   readonly legend = element("details", "replay-legend") as HTMLDetailsElement;
   readonly values = element("p", "replay-values");
-  private readonly play = button("▶", "Play", () => this.actions.toggle());
+  private readonly play = button(kIcons.play, "Play", () => this.actions.toggle());
   private readonly scrub = element("input", "replay-scrub") as HTMLInputElement;
   private readonly clock = element("span", "replay-clock");
   private readonly mode: HTMLLabelElement;
@@ -44,7 +52,7 @@ export class Controls {
     const speeds = kSpeeds.map((s): Choice => [String(s), `${s}×`]);
     const cameras = Object.entries(kCameraPresets).map(([name, preset]): Choice => [name, preset.label]);
     this.bar.append(
-      button("⏮", "One frame back", () => actions.step(-1)), this.play, button("⏭", "One frame on", () => actions.step(1)),
+      button(kIcons.back, "One frame back", () => actions.step(-1)), this.play, button(kIcons.on, "One frame on", () => actions.step(1)),
       this.scrub, this.clock,
       select("Speed", speeds, "1", (s) => actions.setSpeed(Number(s))),
       select("Camera", cameras, "orbit", (name) => actions.setCamera(name as CameraPreset)),
@@ -66,7 +74,7 @@ export class Controls {
   }
 
   setPlaying(playing: boolean): void {
-    this.play.textContent = playing ? "⏸" : "▶";
+    this.play.innerHTML = playing ? kIcons.pause : kIcons.play;
     this.play.setAttribute("aria-label", playing ? "Pause" : "Play");
     this.play.title = `${playing ? "Pause" : "Play"} (space)`;
   }
@@ -134,10 +142,10 @@ function element(tag: string, name: string): HTMLElement {
   return made;
 }
 
-function button(text: string, label: string, action: () => void): HTMLButtonElement {
+function button(content: string, label: string, action: () => void): HTMLButtonElement {
   const made = element("button", "replay-button") as HTMLButtonElement;
   made.type = "button";
-  made.textContent = text;
+  made.innerHTML = content;
   made.title = label;
   made.setAttribute("aria-label", label);
   made.addEventListener("click", action);

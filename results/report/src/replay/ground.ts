@@ -1,52 +1,62 @@
-// The ground: shadows on the colour of the background, a grid of 0.5 m that fades into the distance, and blocks.
+// The ground: a grid of whole and half metres that fades into the distance, the shadows on it, and blocks.
 import {
-  BoxGeometry, Color, EdgesGeometry, Group, LineBasicMaterial, LineSegments, BufferGeometry, Float32BufferAttribute, Mesh,
-  MeshStandardMaterial, PlaneGeometry, ShadowMaterial,
+  BoxGeometry, CanvasTexture, Color, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial,
+  MeshStandardMaterial, PlaneGeometry, RepeatWrapping, ShadowMaterial,
 } from "three";
 import type { Box } from "../data";
 
-const kHalf = 30; // [m]
-const kCell = 0.5; // [m]
+const kHalf = 40; // [m]
 
 export class Ground {
   readonly object = new Group();
+  private readonly plane = new PlaneGeometry(2 * kHalf, 2 * kHalf);
   private readonly shadow = new ShadowMaterial();
-  private readonly fine = new LineBasicMaterial();
-  private readonly coarse = new LineBasicMaterial();
-  private readonly geometries: BufferGeometry[] = [];
+  // A texture, as lines of one pixel flicker in the distance.
+  private readonly grid = new MeshBasicMaterial({ map: tile(), transparent: true, depthWrite: false });
 
   constructor() {
-    const plane = new Mesh(this.keep(new PlaneGeometry(2 * kHalf, 2 * kHalf)), this.shadow);
-    plane.receiveShadow = true;
-    this.object.add(plane, this.grid(false), this.grid(true));
+    const grid = new Mesh(this.plane, this.grid);
+    const shadow = new Mesh(this.plane, this.shadow);
+    grid.renderOrder = -2;
+    shadow.renderOrder = -1;
+    shadow.position.z = 0.0005;
+    shadow.receiveShadow = true;
+    this.object.add(grid, shadow);
   }
 
   paint(dark: boolean): void {
-    this.shadow.opacity = dark ? 0.55 : 0.22;
-    this.fine.color = new Color(dark ? 0x2b323b : 0xdbe1e7);
-    this.coarse.color = new Color(dark ? 0x3d4753 : 0xbfc8d1);
+    this.shadow.opacity = dark ? 0.55 : 0.2;
+    this.grid.color = new Color(dark ? 0x5d6a79 : 0xa3afbb);
   }
 
   dispose(): void {
-    for (const geometry of this.geometries) geometry.dispose();
-    for (const material of [this.shadow, this.fine, this.coarse]) material.dispose();
+    this.plane.dispose();
+    this.shadow.dispose();
+    this.grid.map?.dispose();
+    this.grid.dispose();
   }
+}
 
-  // Lines at whole metres, or at the halves between them.
-  private grid(whole: boolean): LineSegments {
-    const points: number[] = [];
-    for (let at = -kHalf + (whole ? 0 : kCell); at <= kHalf; at += 2 * kCell) {
-      points.push(at, -kHalf, 0, at, kHalf, 0, -kHalf, at, 0, kHalf, at, 0);
+// One square metre: its border strong, its halves faint.
+function tile(): CanvasTexture {
+  const size = 1024;
+  const canvas = document.createElement("canvas");
+  canvas.width = canvas.height = size;
+  const pen = canvas.getContext("2d");
+  if (pen) {
+    pen.fillStyle = "rgb(255 255 255 / 50%)";
+    pen.fillRect(size / 2 - 1, 0, 3, size);
+    pen.fillRect(0, size / 2 - 1, size, 3);
+    pen.fillStyle = "#fff";
+    for (const [x, y, w, h] of [[0, 0, 2, size], [size - 2, 0, 2, size], [0, 0, size, 2], [0, size - 2, size, 2]] as const) {
+      pen.fillRect(x, y, w, h);
     }
-    const geometry = this.keep(new BufferGeometry());
-    geometry.setAttribute("position", new Float32BufferAttribute(points, 3));
-    return new LineSegments(geometry, whole ? this.coarse : this.fine);
   }
-
-  private keep<G extends BufferGeometry>(geometry: G): G {
-    this.geometries.push(geometry);
-    return geometry;
-  }
+  const texture = new CanvasTexture(canvas);
+  texture.wrapS = texture.wrapT = RepeatWrapping;
+  texture.repeat.set(2 * kHalf, 2 * kHalf);
+  texture.anisotropy = 8;
+  return texture;
 }
 
 /** The blocks of a scenario; lower friction is darker. */

@@ -13,7 +13,7 @@ export const kOverlays = {
   contact: { label: "Ground reaction forces", color: 0x2a9d8f, on: true },
   disturbance: { label: "True disturbance", color: 0xd62839, on: true },
   estimate: { label: "Estimated at its point", color: 0x8338ec, on: true },
-  comEstimate: { label: "Estimated at the CoM", color: 0xe05fc4, on: true },
+  comEstimate: { label: "Estimated at the CoM", color: 0x8ab800, on: true },
   footholds: { label: "Planned footholds", color: 0xf4a300, on: true },
   support: { label: "Support polygon", color: 0x3a86d4, on: true },
   com: { label: "CoM and its trace on the ground", color: null, on: true },
@@ -56,7 +56,7 @@ export class Overlays {
     private readonly recording: Recording,
     private readonly scales: Scales,
   ) {
-    this.contacts = robot.legs.map(() => new Arrow(kOverlays.contact.color, 0.008));
+    this.contacts = robot.legs.map(() => new Arrow(kOverlays.contact.color, 0.01));
     this.corners = robot.legs.map(() => new Vector3());
     this.rings = robot.legs.map(() => disc(new RingGeometry(0.032, 0.042, 36), kOverlays.footholds.color));
     this.zmp = [disc(new RingGeometry(0.012, 0.02, 24), kOverlays.zmp.color), disc(new CircleGeometry(0.012, 24), kOverlays.zmp.color)];

@@ -69,6 +69,8 @@ export class Replay implements ReplayActions {
     const scales = scalesFor(loaded);
     this.actors = loaded.map((trace, i) => new Actor(this.data, trace, traces[i]?.label ?? "", traces[i]?.color ?? "#777777", scales));
     for (const actor of this.actors) this.stage.scene.add(actor.object);
+    const scenario = this.data.scenarios.find((s) => s.id === loaded[0]?.info.scenario_id);
+    this.camera?.lookFromLeft(scenario?.metric_leg.startsWith("L") ?? false);
     this.title = [...new Set(loaded.map((trace) => trace.info.scenario_id))].join(", ");
     this.controls.setLength(this.end, this.rate);
     this.controls.setScales(scales.contact, scales.disturbance);

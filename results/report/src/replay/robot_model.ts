@@ -3,7 +3,7 @@
 // The frames are those of robot/description.h: at zero angles all have the axes of the base frame (x to the front,
 // y to the left, z up), so that a joint needs its origin and its axis only.
 import {
-  BoxGeometry, type BufferGeometry, Color, CylinderGeometry, Group, Matrix4, Mesh, MeshStandardMaterial, Object3D,
+  BoxGeometry, type BufferGeometry, CylinderGeometry, Group, Matrix4, Mesh, MeshStandardMaterial, Object3D,
   SphereGeometry, Vector3,
 } from "three";
 import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
@@ -72,7 +72,6 @@ export class RobotModel {
   /** `ghost`: see-through and without a shadow. */
   paint(color: string, dark: boolean, ghost: boolean): void {
     this.body.color.set(color);
-    if (dark) this.body.color.lerp(new Color(0xffffff), 0.12);
     this.limb.color.set(dark ? 0xb4bcc6 : 0x59636e);
     this.joint.color.set(dark ? 0x76808c : 0x2c343c);
     for (const material of [this.body, this.limb, this.joint]) {
