@@ -2,8 +2,6 @@
 import { type CameraPreset, kCameraPresets } from "./camera";
 import { kOverlayNames, kOverlays, type OverlayName } from "./overlays";
 
-export type Mode = "side" | "ghost";
-
 /** What the controls ask of the replay. */
 export interface ReplayActions {
   toggle(): void; // play or pause
@@ -14,7 +12,6 @@ export interface ReplayActions {
   setCamera(preset: CameraPreset): void;
   turn(angle: number): void; // [rad]
   zoom(factor: number): void; // of the distance
-  setMode(mode: Mode): void;
   setOverlay(name: OverlayName, on: boolean): void;
   savePicture(): void;
 }
@@ -38,7 +35,6 @@ export class Controls {
   private readonly play = button(kIcons.play, "Play", () => this.actions.toggle());
   private readonly scrub = element("input", "replay-scrub") as HTMLInputElement;
   private readonly clock = element("span", "replay-clock");
-  private readonly mode: HTMLLabelElement;
   private readonly follow: HTMLLabelElement;
   private readonly scale = element("p", "replay-scale");
 
@@ -47,7 +43,6 @@ export class Controls {
     this.scrub.min = "0";
     this.scrub.setAttribute("aria-label", "Time");
     this.scrub.addEventListener("input", () => actions.seek(Number(this.scrub.value)));
-    this.mode = select("Two runs", [["side", "side by side"], ["ghost", "second as a ghost"]], "side", (m) => actions.setMode(m as Mode));
     this.follow = checkbox("Follow", true, (on) => actions.setFollow(on));
     const speeds = kSpeeds.map((s): Choice => [String(s), `${s}×`]);
     const cameras = Object.entries(kCameraPresets).map(([name, preset]): Choice => [name, preset.label]);
@@ -56,7 +51,7 @@ export class Controls {
       this.scrub, this.clock,
       select("Speed", speeds, "1", (s) => actions.setSpeed(Number(s))),
       select("Camera", cameras, "orbit", (name) => actions.setCamera(name as CameraPreset)),
-      this.follow, this.mode,
+      this.follow,
       button("Save picture", "Save picture", () => actions.savePicture()),
     );
     this.fillLegend();
@@ -77,12 +72,6 @@ export class Controls {
     this.play.innerHTML = playing ? kIcons.pause : kIcons.play;
     this.play.setAttribute("aria-label", playing ? "Pause" : "Play");
     this.play.title = `${playing ? "Pause" : "Play"} (space)`;
-  }
-
-  setMode(mode: Mode, runs: number): void {
-    this.mode.hidden = runs < 2;
-    const list = this.mode.querySelector("select");
-    if (list) list.value = mode;
   }
 
   setFollow(on: boolean): void {

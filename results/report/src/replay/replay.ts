@@ -5,7 +5,7 @@ import { theme, time } from "../state";
 import { Actor } from "./actor";
 import { AxesGizmo } from "./axes_gizmo";
 import { type CameraPreset, FollowCamera } from "./camera";
-import { Controls, type Mode, type ReplayActions } from "./controls";
+import { Controls, type ReplayActions } from "./controls";
 import { kOverlayNames, kOverlays, type OverlayName, roundScale, type Scales } from "./overlays";
 import { download, pictureOf } from "./picture";
 import { Recording } from "./recording";
@@ -17,7 +17,9 @@ export interface Shown {
   color: string;
 }
 
-const kNarrow = 640; // [px] below it two runs stand one above the other
+export type Mode = "side" | "ghost";
+
+const kNarrow = 520; // [px] below it two runs stand one above the other
 
 export class Replay implements ReplayActions {
   private readonly root = document.createElement("div");
@@ -38,12 +40,13 @@ export class Replay implements ReplayActions {
   private before = 0; // [ms] time of the last animation frame
   private shows = 0; // calls of show()
   private title = "";
+  private shown = ""; // what show() was last asked for
 
   constructor(
     host: HTMLElement,
     private readonly data: Report,
   ) {
-    this.root.className = "replay";
+    this.root.className = "replay-view";
     this.picture.className = "replay-picture";
     this.captions.className = "replay-captions";
     host.append(this.root);
@@ -62,21 +65,19 @@ export class Replay implements ReplayActions {
   /** Decodes the traces and shows them; the first one is what the camera follows. */
   async show(traces: Shown[], mode: Mode): Promise<void> {
     if (!this.stage) return;
-    const call = ++this.shows;
-    const loaded = await Promise.all(traces.map((shown) => loadTrace(shown.index)));
-    if (call !== this.shows) return; // another show() came meanwhile, or dispose()
-    for (const actor of this.actors) actor.dispose();
-    const scales = scalesFor(loaded);
-    this.actors = loaded.map((trace, i) => new Actor(this.data, trace, traces[i]?.label ?? "", traces[i]?.color ?? "#777777", scales));
-    for (const actor of this.actors) this.stage.scene.add(actor.object);
-    const scenario = this.data.scenarios.find((s) => s.id === loaded[0]?.info.scenario_id);
-    this.camera?.lookFromLeft(scenario?.metric_leg.startsWith("L") ?? false);
-    this.title = [...new Set(loaded.map((trace) => trace.info.scenario_id))].join(", ");
-    this.controls.setLength(this.end, this.rate);
-    this.controls.setScales(scales.contact, scales.disturbance);
-    this.controls.setFollow(this.camera?.following ?? true);
-    this.setPlaying(false);
-    this.setMode(mode);
+    this.mode = mode;
+    const asked = JSON.stringify(traces);
+    if (asked !== this.shown) {
+      this.shown = asked;
+      const call = ++this.shows;
+      try {
+        const loaded = await Promise.all(traces.map((shown) => loadTrace(shown.index)));
+        if (call === this.shows) this.stageRuns(traces, loaded); // else another show() came meanwhile, or dispose()
+      } catch (error) {
+        if (call === this.shows) this.controls.values.textContent = error instanceof Error ? error.message : String(error);
+      }
+    }
+    this.paint();
   }
 
   toggle(): void {
@@ -113,13 +114,6 @@ export class Replay implements ReplayActions {
 
   zoom(factor: number): void {
     this.camera?.zoom(factor);
-  }
-
-  setMode(mode: Mode): void {
-    this.mode = mode;
-    this.actors.forEach((actor, i) => actor.setGhost(mode === "ghost" && i > 0));
-    this.controls.setMode(mode, this.actors.length);
-    this.paint();
   }
 
   setOverlay(name: OverlayName, on: boolean): void {
@@ -201,6 +195,19 @@ export class Replay implements ReplayActions {
     canvas.addEventListener("webglcontextrestored", () => this.invalidate());
   }
 
+  private stageRuns(traces: Shown[], loaded: Trace[]): void {
+    for (const actor of this.actors) actor.dispose();
+    const scales = scalesFor(loaded);
+    this.actors = loaded.map((trace, i) => new Actor(this.data, trace, traces[i]?.label ?? "", traces[i]?.color ?? "#777777", scales));
+    for (const actor of this.actors) this.stage?.scene.add(actor.object);
+    this.title = [...new Set(loaded.map((trace) => trace.info.scenario_id))].join(", ");
+    const scenario = this.data.scenarios.find((s) => s.id === loaded[0]?.info.scenario_id);
+    this.camera?.lookFromLeft(scenario?.metric_leg.startsWith("L") ?? false);
+    this.controls.setLength(this.end, this.rate);
+    this.controls.setScales(scales.contact, scales.disturbance);
+    this.controls.setFollow(this.camera?.following ?? true);
+  }
+
   private setPlaying(playing: boolean): void {
     this.playing = playing;
     this.before = 0;
@@ -211,10 +218,11 @@ export class Replay implements ReplayActions {
   private paint(): void {
     const dark = theme.get() === "dark";
     this.stage?.paint(dark);
-    for (const actor of this.actors) {
+    this.actors.forEach((actor, i) => {
+      actor.setGhost(this.mode === "ghost" && i > 0);
       actor.paint(dark);
       actor.showOverlays(this.overlays);
-    }
+    });
     this.invalidate();
   }
 
