@@ -1,12 +1,14 @@
 // The report page of a real batch in a real browser. Started by report_in_a_browser.sh, which says what it needs.
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, afterEach, before, test } from "node:test";
 import { dataOf, makePage, spoil } from "./batch.mjs";
 import { Browser } from "./browser.mjs";
 import { assertHasData, assertNoOverflow, difference, drawn, plotted, tabTo } from "./looks.mjs";
+import { readTrace } from "./dobtrace.mjs";
 import { ReplayPart } from "./replay.mjs";
+import { largestFootDistance } from "./robot_model.mjs";
 
 const { DOB_CHROMIUM: chromium, DOB_PROGRAM: program, DOB_WORK: work, DOB_SHOTS: shots, DOB_REPORT_PAGE: given } = process.env;
 
@@ -146,6 +148,16 @@ test("a cell of the verdict opens its scenario", async () => {
   const page = await open();
   await page.getByTestId("verdict-table").locator('tr[data-scenario="case6"] [data-test="verdict-cell"]').first().click();
   assert.equal(await page.getByTestId("scenario-select").inputValue(), "case6");
+});
+
+test("the replay's feet are where those of the simulation were", async () => {
+  const folder = join(work, "run", "traces");
+  const traces = readdirSync(folder).slice(0, 4);
+  assert.ok(traces.length > 0);
+  for (const name of traces) {
+    const distance = await largestFootDistance(data.robot, readTrace(join(folder, name)));
+    assert.ok(distance < 2e-5, `${name}: ${distance} m`);
+  }
 });
 
 test("scrubbing the replay moves the robot and the plots' cursor", async () => {

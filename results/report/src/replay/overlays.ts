@@ -58,7 +58,7 @@ export class Overlays {
   ) {
     this.contacts = robot.legs.map(() => new Arrow(kOverlays.contact.color, 0.01));
     this.corners = robot.legs.map(() => new Vector3());
-    this.rings = robot.legs.map(() => disc(new RingGeometry(0.032, 0.042, 36), kOverlays.footholds.color));
+    this.rings = robot.legs.map(() => disc(new RingGeometry(0.024, 0.033, 36), kOverlays.footholds.color));
     this.zmp = [disc(new RingGeometry(0.012, 0.02, 24), kOverlays.zmp.color), disc(new CircleGeometry(0.012, 24), kOverlays.zmp.color)];
     this.comTrail = new Trail(recording.polyline("com", "m", kLift, true), 3);
     this.path = new Trail(recording.polyline("path", "m", 0.5 * kLift, true), 2, 0.05);
