@@ -3,7 +3,7 @@ import { observerStyles } from "./colors";
 import type { Report } from "./data";
 import { h, replaceContent } from "./dom";
 import { shortName } from "./format";
-import { Replay } from "./replay_stub";
+import { Replay } from "./replay/replay";
 import { type Selection, shownTraces } from "./selection";
 import { theme } from "./state";
 

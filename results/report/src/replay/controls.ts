@@ -132,7 +132,7 @@ function element(tag: string, name: string): HTMLElement {
 }
 
 function button(content: string, label: string, action: () => void): HTMLButtonElement {
-  const made = element("button", "replay-button") as HTMLButtonElement;
+  const made = element("button", "quiet replay-button") as HTMLButtonElement;
   made.type = "button";
   made.innerHTML = content;
   made.title = label;
