@@ -43,7 +43,7 @@ async function shot(page, name, whole = false) {
 }
 
 const kTabs = {
-  tracking: ["com_error", "path_error", "orientation"],
+  tracking: ["com_error", "path_error", "orientation_error"],
   estimates: ["force", "joint_torque", "com_wrench"],
   feet: ["foot_error", "grf"],
   balance: ["zmp_margin", "zmp_time"],
@@ -249,7 +249,7 @@ test("two runs stand side by side or as a ghost; the one that fell stays where i
   assert.equal(await replay.root.getByText(/fell at/).count(), 0, "not before it falls");
   await replay.seek(2);
   const where = await replay.trunk(1);
-  const words = `fell at ${fallen.fall_time_s.toFixed(1)} s`;
+  const words = `fell at ${fallen.fall_time_s.toFixed(2)} s`;
   await replay.root.locator(".replay-fell", { hasText: words }).waitFor();
   assert.match(await replay.canvas.getAttribute("aria-label"), new RegExp(words));
   await replay.root.scrollIntoViewIfNeeded();

@@ -21,7 +21,7 @@ export class Claims {
       return;
     }
     const sets = setsOf(report.claims);
-    this.set = (sets.find((s) => s.startsWith("tuned")) ?? sets[0])!;
+    this.set = (sets.find((s) => s.startsWith("profile tuned")) ?? sets[0])!;
     this.element.append(overview(report.claims, sets), this.bar, this.box);
     this.draw();
   }
@@ -51,7 +51,7 @@ export class Claims {
       this.draw();
       this.bar.querySelector<HTMLElement>('[data-test="claims-set"]')?.focus();
     };
-    return select("Profile, gains, planner", choices, this.set, change, "claims-set");
+    return select("Asked of", choices, this.set, change, "claims-set");
   }
 
   private answerChoice(claims: Claim[]): HTMLElement {
@@ -90,7 +90,7 @@ function answerOf(holds: boolean | null): Answer {
 
 function setOf(claim: Claim): string {
   if (claim.profile === null && claim.gains === null) return "not part of this run";
-  const parts = [claim.profile ?? "-", claim.gains ?? "-", claim.planner ?? "-"];
+  const parts = [`profile ${claim.profile}`, `gains ${claim.gains}`, `planner ${claim.planner}`];
   return parts.concat(claim.overrides ? [claim.overrides] : []).join(", ");
 }
 
@@ -127,8 +127,8 @@ function claimRow(claim: Claim): HTMLElement {
     h("td", {}, answerCell(claim.holds)),
     h("td", { class: "case" }, claim.case, h("small", {}, claim.cells)),
     h("td", { class: "text" }, claim.claim, h("small", {}, claim.source)),
-    h("td", { class: "figure" }, claim.paper),
-    h("td", { class: "figure" }, claim.measured || "\u2013"),
+    h("td", { class: "value" }, claim.paper),
+    h("td", { class: "value" }, claim.measured || "\u2013"),
     columnOfOurs,
     h("td", { class: "text" }, h("small", {}, claim.note)),
   );

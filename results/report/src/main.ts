@@ -14,8 +14,8 @@ const kSections = [
   ["verdict", "Verdict"],
   ["claims", "Claims"],
   ["scenario", "Scenario"],
-  ["statistics", "Over seeds"],
-  ["run", "This run"],
+  ["statistics", "Seeds"],
+  ["run", "Run"],
 ] as const;
 
 function header(report: Report): HTMLElement {

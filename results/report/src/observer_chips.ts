@@ -6,6 +6,7 @@ import { seconds, shortName } from "./format";
 import { stateIcon } from "./icons";
 import { type Selection, tracesOf } from "./selection";
 import { theme } from "./state";
+import { inProfile } from "./summary";
 
 export function observerChips(report: Report, selection: Selection): HTMLElement {
   const element = h("div", { class: "chips", role: "group", "aria-label": "Observers shown", "data-test": "observers" });
@@ -13,13 +14,20 @@ export function observerChips(report: Report, selection: Selection): HTMLElement
     const focused = (document.activeElement as HTMLElement | null)?.dataset["observer"];
     const inside = element.contains(document.activeElement);
     const styles = observerStyles(report.observers, theme.get());
-    const ran = report.observers.filter((o) => report.rows.some((row) => row.scenario_id === selection.scenario.get() && row.observer_id === o.id));
+    const ran = report.observers.filter((o) => isOffered(report, selection, o));
     replaceContent(element, ...ran.map((o) => chip(report, selection, o, styles.get(o.id)!)));
     if (inside && focused) element.querySelector<HTMLElement>(`[data-observer="${CSS.escape(focused)}"]`)?.focus();
   };
   for (const signal of [selection.scenario, selection.shown, selection.setting, selection.seed, theme]) signal.subscribe(draw);
   draw();
   return element;
+}
+
+// What has a time series here, and what the profile asks for but was left out.
+function isOffered(report: Report, selection: Selection, observer: ObserverInfo): boolean {
+  if (tracesOf(report, selection).some((t) => t.info.observer_id === observer.id)) return true;
+  const ran = report.rows.some((row) => row.scenario_id === selection.scenario.get() && row.observer_id === observer.id);
+  return ran && inProfile(observer, selection.profile.get());
 }
 
 function chip(report: Report, selection: Selection, observer: ObserverInfo, style: ObserverStyle): HTMLElement {

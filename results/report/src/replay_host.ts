@@ -3,7 +3,7 @@ import { observerStyles } from "./colors";
 import type { Report } from "./data";
 import { h, replaceContent } from "./dom";
 import { shortName } from "./format";
-import { Replay } from "./replay/replay";
+import type { Replay } from "./replay/replay";
 import { type Selection, shownTraces } from "./selection";
 import { theme } from "./state";
 
@@ -15,6 +15,7 @@ export class ReplayHost {
   private visible = false;
   private second = ""; // id of the observer beside the one in detail; "": none
   private mode: "side" | "ghost" = "side";
+  private turn = 0; // only what was asked for last appears
 
   constructor(
     private readonly report: Report,
@@ -38,6 +39,7 @@ export class ReplayHost {
     const first = traces.find((t) => t.info.observer_id === selection.focus.get()) ?? traces[0];
     this.drawChoice(traces.map((t) => t.info.observer_id), first?.info.observer_id ?? "");
     if (!first) {
+      ++this.turn;
       this.replay?.dispose();
       this.replay = null;
       replaceContent(this.host, h("p", { class: "empty" }, "This page holds no replay of this scenario with these observers."));
@@ -50,11 +52,18 @@ export class ReplayHost {
       label: shortName(info.observer_id),
       color: styles.get(info.observer_id)!.color,
     }));
+    void this.play(shown);
+  }
+
+  private async play(shown: { index: number; label: string; color: string }[]): Promise<void> {
+    const turn = ++this.turn;
+    const { Replay } = await import("./replay/replay"); // as plotly: evaluated when it is needed
+    if (turn !== this.turn) return;
     if (!this.replay) {
       replaceContent(this.host);
-      this.replay = new Replay(this.host, report);
+      this.replay = new Replay(this.host, this.report);
     }
-    void this.replay.show(shown, this.mode);
+    await this.replay.show(shown, this.mode);
   }
 
   private drawChoice(ids: string[], first: string): void {

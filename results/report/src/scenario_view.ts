@@ -67,7 +67,7 @@ export class ScenarioView {
     const focused = document.activeElement?.getAttribute("data-test");
     const choices = report.scenarios.map((s) => {
       const held = report.traces.some((t) => t.scenario_id === s.id);
-      return { value: s.id, text: `${s.variant || s.scenario}${held ? "" : " (no time series)"}`, group: s.scenario };
+      return { value: s.id, text: `${s.id}${held ? "" : " (no time series)"}`, group: s.scenario };
     });
     const seeds = [...new Set(report.traces.filter((t) => t.scenario_id === selection.scenario.get()).map((t) => t.seed))];
     replaceContent(

@@ -5,7 +5,7 @@ import { kMetrics, metricOf, plural } from "./format";
 import { Figure } from "./plots/figure";
 import { drawFalls, drawPairs, drawSeeds, type Scope } from "./plots/seeds";
 import { scenarioOf, type Selection } from "./selection";
-import { comparable, inProfile } from "./summary";
+import { comparable, inProfile, linesOf } from "./summary";
 
 type Extent = "variant" | "scenario" | "all";
 
@@ -22,10 +22,10 @@ export class Statistics {
     private readonly selection: Selection,
   ) {
     const figure = (id: string, title: string, note: string, draw: typeof drawSeeds): Figure =>
-      new Figure({ id, title, note, fileName: () => `${report.title}-${id}-${this.metric.field}`, draw: async (theme) => draw(this.scope(), theme) });
+      new Figure({ id, title, note, fileName: () => `${report.title}-${id}-${this.metric.field}`, draw: async (theme, width) => draw(this.scope(), theme, width) });
     this.figures = [
       figure("seeds", "Runs, one by one", `a mark per run, the line is the median (a box from 8 runs on); runs that fell stand apart, by the time of their fall`, drawSeeds),
-      figure("falls", "Falls", "share of runs that fell; no interval below 8 runs", drawFalls),
+      figure("falls", "Falls", "share of runs that fell, Wilson interval 95 %; no interval below 8 runs", drawFalls),
       figure("paired", "Against the reference, run by run", "same seed, on the time that both stood; left is better; a mark per variant, median over the pairs; interval from 8 pairs on", drawPairs),
     ];
     this.drawBar();
@@ -73,7 +73,7 @@ export class Statistics {
     const fits = (x: { scenario_id: string; setting: number; observer_id: string }): boolean =>
       x.setting === selection.setting.get() && within(x.scenario_id) && chosen.some((o) => o.id === x.observer_id);
     const rows = report.rows.filter(fits);
-    const observers = chosen.filter((o) => rows.some((row) => row.observer_id === o.id));
+    const observers = linesOf(report, rows).map((line) => line.observer);
     const name = { variant: scenario?.id ?? "", scenario: `${scenario?.scenario ?? ""}, all variants`, all: "All scenarios of the verdict" }[this.extent];
     return { report, observers, cells: report.cells.filter(fits), rows, metric: this.metric, name };
   }

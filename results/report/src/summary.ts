@@ -1,5 +1,6 @@
 // From rows (over seeds) to the verdict: the same rules as the summary of `dobbench table`, see docs/metrics.md.
 import type { ObserverInfo, Report, Row } from "./data";
+import { plural } from "./format";
 import type { CellState } from "./icons";
 
 // All variants of a scenario, or one of them, for one observer.
@@ -105,13 +106,12 @@ export function verdictSentence(lines: readonly Line[], scenarios: number): stri
   const ran = lines.filter((line) => !line.observer.oracle && line.runs + line.errors > 0);
   const best = ran[0];
   if (!best) return "No run of these observers has finished yet.";
-  const share = `${best.runs - best.falls} of ${best.runs} runs`;
+  const id = best.observer.id;
   const rank = best.meanRank === null ? "" : `, mean rank ${best.meanRank.toFixed(1)}`;
-  const where = `${scenarios} scenario${scenarios === 1 ? "" : "s"}`;
+  const figures = `${best.runs - best.falls} of ${best.runs} runs survived${rank}`;
+  const of = `Of ${plural(ran.length, "observer")} in ${plural(scenarios, "scenario")}`;
   const never = ran.filter((line) => line.falls + line.errors === 0).length;
-  if (never === 0) {
-    return `None of ${ran.length} observers survived everything in ${where}; ${best.observer.id} lost least: it survived ${share}${rank}.`;
-  }
-  const only = never === 1 ? "the only one that never fell" : `the best ranked of the ${never} that never fell`;
-  return `${best.observer.id} is ${only}, of ${ran.length} observers in ${where}: it survived ${share}${rank}.`;
+  if (never === 0) return `${of} none survived everything; ${id} lost least: ${figures}.`;
+  if (never === 1) return `${of} only ${id} never fell: ${figures}.`;
+  return `${of} ${never} never fell; ${id} is the best ranked of them: ${figures}.`;
 }

@@ -1,5 +1,5 @@
 // Balance: margin of the ZMP reference, ZMP and centre of pressure over time, and both on the ground at the cursor.
-import type { PlotTrace } from "plotly.js-cartesian-dist-min";
+import type { PlotTrace } from "./plotly";
 import { significant } from "../format";
 import type { Theme } from "../state";
 import { type Context, fileName, focused, loadShown, noTrace, type Shown } from "./context";

@@ -20,9 +20,12 @@ export interface Shown {
   fall: number | null; // [s]
 }
 
+// In the order in which they are drawn: the observer in detail last, on top of the others.
 export async function loadShown({ report, selection }: Context, theme: Theme): Promise<Shown[]> {
   const traces = shownTraces(report, selection);
   const styles = observerStyles(report.observers, theme);
+  const onTop = (id: string): number => Number(id === selection.focus.get());
+  traces.sort((a, b) => onTop(a.info.observer_id) - onTop(b.info.observer_id));
   return Promise.all(
     traces.map(async ({ index, info }) => {
       const cell = report.cells[info.cell];
@@ -33,6 +36,12 @@ export async function loadShown({ report, selection }: Context, theme: Theme): P
       return { trace: await loadTrace(index), cell, id: info.observer_id, label, short, style, fall };
     }),
   );
+}
+
+// How many of the points of a plot lie more than a second before the fall; all of them without one.
+export function pointsBefore(s: Shown, points: number): number {
+  if (s.fall === null) return points;
+  return Math.min(points, Math.max(2, 2 * Math.floor((s.fall - 1) / s.trace.info.plots.bucket_s)));
 }
 
 // The trace of the observer in detail; without one the first that is shown.

@@ -1,5 +1,5 @@
 // A plot as a file: SVG, or PNG at three times the size.
-import Plotly, { type PlotElement, type PlotLayout, type PlotTrace } from "plotly.js-cartesian-dist-min";
+import { loadPlotly, type PlotElement, type PlotLayout, type PlotTrace } from "./plotly";
 
 interface Picture {
   data: PlotTrace[];
@@ -13,7 +13,8 @@ export async function saveImage(shown: PlotElement | null, picture: Picture, for
   const { width, title } = picture;
   const height = picture.height + 40;
   const figure = { data: picture.data.map((trace, i) => ({ ...trace, visible: shown?.data?.[i]?.["visible"] ?? true })), layout: withTitle(withRanges(picture.layout, shown), title) };
-  const url = await Plotly.toImage({ ...figure, layout: { ...figure.layout, width, height } }, { format, width, height, scale: format === "png" ? 3 : 1 });
+  const plotly = await loadPlotly();
+  const url = await plotly.toImage({ ...figure, layout: { ...figure.layout, width, height } }, { format, width, height, scale: format === "png" ? 3 : 1 });
   const link = document.createElement("a");
   link.href = url;
   link.download = `${name}.${format}`;

@@ -1,8 +1,8 @@
 // Estimate against truth: the force where it acts, the torques at a leg's joints, the wrench about the CoM.
-import type { PlotLayout, PlotTrace } from "plotly.js-cartesian-dist-min";
+import type { PlotLayout, PlotTrace } from "./plotly";
 import { significant } from "../format";
 import type { Theme } from "../state";
-import { type Context, fileName, loadShown, noTrace, type Shown } from "./context";
+import { type Context, fileName, loadShown, noTrace, pointsBefore, type Shown } from "./context";
 import { type Drawing, Figure, type Missing } from "./figure";
 import { axis, baseLayout, palette, stacked, timeAxis } from "./layout";
 
@@ -11,6 +11,7 @@ interface Component {
   estimate: string;
   truth: string;
   unit: string;
+  scale?: string; // components of one name share the range of their axes
 }
 
 const kAxes = ["x", "y", "z"] as const;
@@ -33,7 +34,7 @@ export function estimateFigures(context: Context): Figure[] {
 }
 
 function forceComponents(): Component[] {
-  return kAxes.map((a) => ({ title: `F${a} [N]`, estimate: `force_estimate/${a}_N`, truth: `force_true/${a}_N`, unit: "N" }));
+  return kAxes.map((a) => ({ title: `F${a} [N]`, estimate: `force_estimate/${a}_N`, truth: `force_true/${a}_N`, unit: "N", scale: "force" }));
 }
 
 function jointComponents(leg: string): Component[] {
@@ -48,7 +49,7 @@ function jointComponents(leg: string): Component[] {
 // Column by column: forces, then moments.
 function wrenchComponents(): Component[] {
   const of = (kind: string, letter: string, unit: string): Component[] =>
-    kAxes.map((a) => ({ title: `${letter}${a} [${unit}]`, estimate: `com_${kind}_estimate/${a}_${unit}`, truth: `com_${kind}_true/${a}_${unit}`, unit }));
+    kAxes.map((a) => ({ title: `${letter}${a} [${unit}]`, estimate: `com_${kind}_estimate/${a}_${unit}`, truth: `com_${kind}_true/${a}_${unit}`, unit, scale: kind }));
   return [...of("force", "F", "N"), ...of("moment", "M", "Nm")];
 }
 
@@ -63,8 +64,37 @@ function draw(context: Context, components: Component[], shown: Shown[], theme: 
     for (const s of estimating) data.push(line(s, s.trace.plot(c.estimate), axes[i]!, c, i === 0));
     if (truth) data.push(truthLine(shown, c, axes[i]!, theme, i === 0));
   });
+  setRanges(layout, components, shown);
   const height = twoColumns ? 460 : 130 * components.length + 70;
   return { data, layout: baseLayout(theme, layout), height, summary: summary(components, estimating) };
+}
+
+// Axes that hold estimates and truth up to one second before a fall: what an estimate does in a fall would press all else
+// flat. Forces share one range, moments too, so that what is large looks large.
+function setRanges(layout: PlotLayout, components: Component[], shown: Shown[]): void {
+  const ranges = components.map((c) => rangeOf(c, shown));
+  components.forEach((c, i) => {
+    const own = ranges.filter((_, j) => j === i || (c.scale !== undefined && components[j]!.scale === c.scale));
+    const [low, high] = [Math.min(...own.map((r) => r[0])), Math.max(...own.map((r) => r[1]))];
+    if (!(high > low)) return;
+    const pad = 0.06 * (high - low);
+    Object.assign(layout[i === 0 ? "yaxis" : `yaxis${i + 1}`] as object, { range: [low - pad, high + pad] });
+  });
+}
+
+function rangeOf(c: Component, shown: Shown[]): [number, number] {
+  let [low, high] = [Infinity, -Infinity];
+  for (const s of shown) {
+    for (const name of [c.estimate, c.truth]) {
+      const values = s.trace.plot(name);
+      const end = pointsBefore(s, values?.length ?? 0);
+      for (let i = 0; i < end; ++i) {
+        if (values![i]! < low) low = values![i]!;
+        if (values![i]! > high) high = values![i]!;
+      }
+    }
+  }
+  return [low, high];
 }
 
 function hasValues(values: Float32Array | null): values is Float32Array {
@@ -119,7 +149,7 @@ function truthLine(shown: readonly Shown[], c: Component, at: { x: string; y: st
     y: longest.trace.plot(c.truth) ?? [],
     xaxis: at.x,
     yaxis: at.y,
-    name: `true (run of ${longest.short})`,
+    name: "true",
     legendgroup: "true",
     showlegend: first,
     legendrank: 1,

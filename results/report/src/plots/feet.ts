@@ -1,5 +1,5 @@
 // Feet: their errors with the swing phases shaded, and the ground's force measured against commanded.
-import type { PlotTrace } from "plotly.js-cartesian-dist-min";
+import type { PlotTrace } from "./plotly";
 import { kLegs } from "../data";
 import { significant } from "../format";
 import type { Theme } from "../state";

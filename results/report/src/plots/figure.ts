@@ -1,6 +1,6 @@
 // One plot of the page: drawn when it comes into view, drawn anew when its data or the theme change, with a text
 // alternative, download as SVG or PNG, and, over time, the zoom and cursor that all such plots share.
-import Plotly, { type Axis, type PlotElement, type PlotLayout, type PlotTrace } from "plotly.js-cartesian-dist-min";
+import { type Axis, loadPlotly, type PlotElement, type PlotLayout, type Plotly, type PlotTrace } from "./plotly";
 import { h, replaceContent } from "../dom";
 import { type Theme, theme, time, timeRange } from "../state";
 import { saveImage } from "./download";
@@ -42,6 +42,7 @@ export class Figure {
   private readonly frame: HTMLElement;
   private readonly cursors: HTMLElement[];
   private readonly buttons: HTMLElement;
+  private plotly: Plotly | null = null;
   private plot: PlotElement | null = null;
   private visible = false;
   private stale = true;
@@ -88,6 +89,7 @@ export class Figure {
   private async draw(width: number): Promise<void> {
     const turn = ++this.drawn;
     const drawing = await this.options.draw(theme.get(), width).catch((error: unknown) => ({ missing: String(error) }));
+    this.plotly = await loadPlotly();
     if (turn !== this.drawn) return;
     if ("missing" in drawing) {
       this.showMissing(drawing.missing);
@@ -98,7 +100,7 @@ export class Figure {
     if (!this.plot) replaceContent(this.host);
     this.buttons.hidden = false;
     const layout = this.fit(drawing, width);
-    const plot = await Plotly.react(this.host, drawing.data, layout, { displayModeBar: false, responsive: false, doubleClick: "reset+autosize" });
+    const plot = await this.plotly.react(this.host, drawing.data, layout, { displayModeBar: false, responsive: false, doubleClick: "reset+autosize" });
     if (!this.plot) this.listen(plot);
     this.plot = plot;
     this.placeCursors(time.get());
@@ -115,7 +117,7 @@ export class Figure {
   }
 
   private showMissing(text: string): void {
-    if (this.plot) Plotly.purge(this.host);
+    if (this.plot) this.plotly?.purge(this.host);
     this.plot = null;
     this.element.dataset["state"] = "missing";
     this.frame.setAttribute("aria-label", `${this.options.title}. ${text}`);
@@ -167,7 +169,7 @@ export class Figure {
         if (range) change[`${name}.range`] = [...range];
         else change[`${name}.autorange`] = true;
       }
-      if (Object.keys(change).length > 0) void Plotly.relayout(this.host, change);
+      if (Object.keys(change).length > 0) void this.plotly?.relayout(this.host, change);
     });
     time.subscribe((t) => {
       if (this.visible) this.placeCursors(t);

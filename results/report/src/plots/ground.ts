@@ -1,5 +1,5 @@
 // The ground from above at the cursor's time: support polygon, feet, ZMP reference and centre of pressure.
-import type { PlotTrace } from "plotly.js-cartesian-dist-min";
+import type { PlotTrace } from "./plotly";
 import type { Report } from "../data";
 import { footPositions, hull, type Point } from "../kinematics";
 import { type Theme, time } from "../state";
@@ -18,10 +18,12 @@ export function groundFigure(context: Context): Figure {
     fileName: () => fileName(context, "support"),
     draw: async (theme, width) => draw(context, focused(await loadShown(context, theme), context.selection), theme, width),
   });
-  let asked = 0;
+  let asked = 0; // at most so often, that a replay beside it stays fluent
   time.subscribe(() => {
-    cancelAnimationFrame(asked);
-    asked = requestAnimationFrame(() => figure.invalidate());
+    asked ||= window.setTimeout(() => {
+      asked = 0;
+      figure.invalidate();
+    }, 80);
   });
   return figure;
 }

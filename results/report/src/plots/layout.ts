@@ -1,5 +1,5 @@
 // How plots look, for each theme: one font, quiet grids, units on the axes.
-import type { PlotLayout, PlotTrace } from "plotly.js-cartesian-dist-min";
+import type { PlotLayout, PlotTrace } from "./plotly";
 import type { Theme } from "../state";
 
 export const kFont = 'system-ui, -apple-system, "Segoe UI", Roboto, "Liberation Sans", "DejaVu Sans", sans-serif';
@@ -46,7 +46,7 @@ export function baseLayout(theme: Theme, more: PlotLayout = {}): PlotLayout {
     plot_bgcolor: c.paper,
     margin: { l: 56, r: 12, t: 8, b: 40 },
     showlegend: true,
-    legend: { orientation: "h", x: 0, xanchor: "left", y: 1.01, yanchor: "bottom", font: { size: 11 }, itemwidth: 30, bgcolor: "rgba(0,0,0,0)" },
+    legend: { orientation: "h", x: 0, xanchor: "left", y: 1.01, yanchor: "bottom", font: { size: 11 }, itemwidth: 30, tracegroupgap: 0, bgcolor: "rgba(0,0,0,0)" },
     hovermode: "x unified",
     hoverlabel: { bgcolor: c.paper, bordercolor: c.zero, font: { family: kFont, size: 11, color: c.ink } },
     dragmode: "zoom",

@@ -1,5 +1,5 @@
 // Seeds, falls and pairs: how far single runs scatter, how sure a share of falls is, what an observer gains.
-import type { PlotLayout, PlotTrace } from "plotly.js-cartesian-dist-min";
+import type { PlotLayout, PlotTrace } from "./plotly";
 import { observerStyles, type ObserverStyle } from "../colors";
 import type { Cell, ObserverInfo, Report, Row } from "../data";
 import { type Metric, plural, shortName, significant } from "../format";
@@ -20,6 +20,7 @@ export interface Scope {
 }
 
 const kRow_px = 34;
+const kNarrow = 520; // px: names on two lines, fewer ticks
 
 interface Lane {
   observer: ObserverInfo;
@@ -29,11 +30,11 @@ interface Lane {
 }
 
 // Observers from top to bottom.
-function lanes(scope: Scope, theme: Theme): Lane[] {
+function lanes(scope: Scope, theme: Theme, width: number): Lane[] {
   const styles = observerStyles(scope.report.observers, theme);
   return scope.observers.map((observer, i) => ({
     observer,
-    name: shortName(observer.id, 28),
+    name: width < kNarrow ? shortName(observer.id, 24).replace("@", "<br>@") : shortName(observer.id, 28),
     y: scope.observers.length - 1 - i,
     style: styles.get(observer.id)!,
   }));
@@ -59,9 +60,9 @@ function spread(count: number, i: number): number {
   return count < 2 ? 0 : (((i * 7) % count) / (count - 1) - 0.5) * 0.42;
 }
 
-export function drawSeeds(scope: Scope, theme: Theme): Drawing | Missing {
+export function drawSeeds(scope: Scope, theme: Theme, width: number): Drawing | Missing {
   const { metric } = scope;
-  const list = lanes(scope, theme);
+  const list = lanes(scope, theme, width);
   const data: PlotTrace[] = [];
   const summary: string[] = [];
   const counts = new Map<Lane, string>();
@@ -74,21 +75,17 @@ export function drawSeeds(scope: Scope, theme: Theme): Drawing | Missing {
     const values = stood.map((cell) => metric.factor * cell[metric.field]!);
     if (values.length > 0) data.push(...distribution(lane, values, stood, metric));
     if (fell.length > 0) data.push(falls(lane, fell, theme));
-    summary.push(`${lane.name}: ${values.length > 0 ? `median ${significant(median(values))} ${metric.unit} of ${plural(values.length, "run")}` : "no run survived"}, ${fell.length} fell`);
+    summary.push(`${lane.observer.id}: ${values.length > 0 ? `median ${significant(median(values))} ${metric.unit} of ${plural(values.length, "run")}` : "no run survived"}, ${fell.length} fell`);
   }
   if (data.length === 0) return { missing: `No finished run has this metric in ${scope.name}.` };
   const layout = baseLayout(theme, {
     showlegend: false,
     hovermode: "closest",
     yaxis: laneAxis(theme, list, (lane) => `${lane.name} <b>${counts.get(lane)}</b>`),
-    xaxis: axis(theme, `${metric.label} [${metric.unit}], runs that survived`, { domain: [0, 0.74], type: wide(data) ? "log" : "linear", rangemode: "tozero", zeroline: false, ...logTicks(wide(data)) }),
-    xaxis2: axis(theme, "time of the fall [s]", { domain: [0.8, 1], anchor: "y", rangemode: "tozero", zeroline: false, nticks: 4 }),
+    xaxis: axis(theme, `${metric.label} [${metric.unit}]`, { domain: [0, 0.74], type: wide(data) ? "log" : "linear", rangemode: "tozero", zeroline: false, ...(wide(data) ? { dtick: width < kNarrow ? 1 : "D2" } : {}) }),
+    xaxis2: axis(theme, "fell at [s]", { domain: [0.8, 1], anchor: "y", rangemode: "tozero", zeroline: false, nticks: 4, tickangle: 0 }),
   });
   return { data, layout, height: laneHeight(list), summary: `${scope.name}. ${summary.join("; ")}.` };
-}
-
-function logTicks(log: boolean): PlotLayout {
-  return log ? { dtick: "D2" } : {};
 }
 
 // Over scenarios as different as these a linear axis shows only the worst.
@@ -108,7 +105,7 @@ function distribution(lane: Lane, values: number[], cells: Cell[], metric: Metri
     text,
     marker: { symbol: lane.style.symbol, size: 7, color: lane.style.color, opacity: 0.75, line: { width: 0 } },
     name: lane.name,
-    hovertemplate: `%{x:.3~g} ${metric.unit}<br>%{text}<extra>${lane.name}</extra>`,
+    hovertemplate: `%{x:.3~g} ${metric.unit}<br>%{text}<extra>${shortName(lane.observer.id)}</extra>`,
   };
   const middle: PlotTrace = {
     type: "scatter",
@@ -117,7 +114,7 @@ function distribution(lane: Lane, values: number[], cells: Cell[], metric: Metri
     y: [lane.y - 0.36, lane.y + 0.36],
     line: { color: lane.style.color, width: 2.5 },
     name: lane.name,
-    hovertemplate: `median %{x:.3~g} ${metric.unit}<extra>${lane.name}</extra>`,
+    hovertemplate: `median %{x:.3~g} ${metric.unit}<extra>${shortName(lane.observer.id)}</extra>`,
   };
   if (values.length < kLeastForInterval) return [points, middle];
   const box: PlotTrace = {
@@ -146,12 +143,12 @@ function falls(lane: Lane, cells: Cell[], theme: Theme): PlotTrace {
     text: cells.map((cell) => `${cell.scenario_id}, seed ${cell.seed}: ${cell.reason ?? ""}`),
     marker: { symbol: "x-thin", size: 7, color, line: { width: 1.8, color: color || palette(theme).ink } },
     name: lane.name,
-    hovertemplate: `fell at %{x:.2f} s<br>%{text}<extra>${lane.name}</extra>`,
+    hovertemplate: `fell at %{x:.2f} s<br>%{text}<extra>${shortName(lane.observer.id)}</extra>`,
   };
 }
 
-export function drawFalls(scope: Scope, theme: Theme): Drawing | Missing {
-  const list = lanes(scope, theme);
+export function drawFalls(scope: Scope, theme: Theme, width: number): Drawing | Missing {
+  const list = lanes(scope, theme, width);
   const drawn = list.flatMap((lane) => {
     const own = scope.rows.filter((row) => row.observer_id === lane.observer.id);
     const runs = own.reduce((sum, row) => sum + row.runs, 0);
@@ -162,14 +159,14 @@ export function drawFalls(scope: Scope, theme: Theme): Drawing | Missing {
   });
   if (drawn.length === 0) return { missing: `No finished run in ${scope.name}.` };
   const text = (d: (typeof drawn)[number]): string =>
-    `${d.lane.name}: ${d.fell} of ${d.runs} fell${d.interval ? ` (${percent(d.interval[0])} to ${percent(d.interval[1])})` : ""}`;
+    `${d.lane.observer.id}: ${d.fell} of ${d.runs} fell${d.interval ? ` (${percent(d.interval[0])} to ${percent(d.interval[1])})` : ""}`;
   const data = drawn.map((d) => withInterval(d.lane, (100 * d.fell) / d.runs, d.interval?.map((x) => 100 * x) as Interval | undefined, `${text(d)}<extra></extra>`));
   const counted = new Map(drawn.map((d) => [d.lane, `${d.fell}/${d.runs}`]));
   const layout = baseLayout(theme, {
     showlegend: false,
     hovermode: "closest",
     yaxis: laneAxis(theme, list, (lane) => `${lane.name} <b>${counted.get(lane) ?? ""}</b>`),
-    xaxis: axis(theme, "share of runs that fell [%], Wilson interval 95 %", { range: [-3, 103], zeroline: false }),
+    xaxis: axis(theme, "share of runs that fell [%]", { range: [-3, 103], zeroline: false }),
   });
   return { data, layout, height: laneHeight(list), summary: `${scope.name}. ${drawn.map(text).join("; ")}.` };
 }
@@ -192,12 +189,12 @@ function withInterval(lane: Lane, x: number, interval: Interval | undefined, hov
   };
 }
 
-export function drawPairs(scope: Scope, theme: Theme): Drawing | Missing {
+export function drawPairs(scope: Scope, theme: Theme, width: number): Drawing | Missing {
   const { metric } = scope;
   if (!metric.paired) return { missing: `${metric.label} is not compared run by run: it has no checkpoints at which both stood.` };
   const field = `paired_${metric.field}`;
-  const all = lanes(scope, theme);
-  const references = [...new Set(scope.rows.flatMap((row) => (row.reference ? [row.reference] : [])))];
+  const all = lanes(scope, theme, width);
+  const references = [...new Set(scope.rows.flatMap((row) => (row.reference ? [row.reference.replace(/@-$/, "")] : [])))];
   const list = all.filter((lane) => scope.rows.some((row) => row.observer_id === lane.observer.id && value(row, field) !== null));
   list.forEach((lane, i) => (lane.y = list.length - 1 - i));
   if (list.length === 0) return { missing: `No pairs of runs in ${scope.name}: the table's reference did not run there.` };
@@ -208,16 +205,16 @@ export function drawPairs(scope: Scope, theme: Theme): Drawing | Missing {
     const medians = own.map((row) => metric.factor * value(row, field)!);
     own.forEach((row, i) => {
       const ci = row[`${field}_ci95`] as Interval | null;
-      const hover = `%{x:.3~g} ${metric.unit} against ${row.reference}<br>${row.scenario_id}, ${plural(row.paired_runs ?? 0, "pair")}<extra>${lane.name}</extra>`;
+      const hover = `%{x:.3~g} ${metric.unit} against ${references.join(", ")}<br>${row.scenario_id}, ${plural(row.paired_runs ?? 0, "pair")}<extra>${shortName(lane.observer.id)}</extra>`;
       data.push(withInterval(lane, medians[i]!, ci?.map((x) => metric.factor * x) as Interval | undefined, hover, lane.y + spread(own.length, i), 8));
     });
-    summary.push(`${lane.name} ${significant(median(medians))} ${metric.unit}`);
+    summary.push(`${lane.observer.id} ${significant(median(medians))} ${metric.unit}`);
   }
   const layout = baseLayout(theme, {
     showlegend: false,
     hovermode: "closest",
     yaxis: laneAxis(theme, list, (lane) => lane.name),
-    xaxis: axis(theme, `${metric.label}: difference to ${references.join(", ")} [${metric.unit}]`, { zeroline: true, zerolinewidth: 2 }),
+    xaxis: axis(theme, `difference to ${references.join(", ")} [${metric.unit}]`, { zeroline: true, zerolinewidth: 2 }),
   });
   return { data, layout, height: laneHeight(list), summary: `${scope.name}. Median differences to ${references.join(", ")}: ${summary.join("; ")}. Negative is better.` };
 }

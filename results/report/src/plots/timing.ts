@@ -1,5 +1,5 @@
 // How long a control tick and its quadratic program take: histograms of a serial pass.
-import type { PlotTrace } from "plotly.js-cartesian-dist-min";
+import type { PlotTrace } from "./plotly";
 import { observerStyles } from "../colors";
 import type { Histogram, Timing } from "../data";
 import { h } from "../dom";
@@ -11,7 +11,7 @@ import { axis, baseLayout } from "./layout";
 
 export function timingFigures(context: Context): Figure[] {
   const figure = (id: "tick" | "qp", title: string, note: string): Figure =>
-    new Figure({ id: `${id}_time`, title, note, fileName: () => fileName(context, `${id}_time`), draw: async (theme) => draw(context, id, theme) });
+    new Figure({ id, title, note, fileName: () => fileName(context, `${id}_time`), draw: async (theme) => draw(context, id, theme) });
   return [
     figure("tick", "Time of a control tick", "model, observer and controller; share of ticks per bin"),
     figure("qp", "Time of the quadratic program", "share of solves per bin"),

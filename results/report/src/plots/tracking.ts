@@ -1,8 +1,8 @@
 // Errors over time, all observers overlaid, falls marked.
-import type { PlotLayout, PlotTrace } from "plotly.js-cartesian-dist-min";
+import type { PlotLayout, PlotTrace } from "./plotly";
 import { seconds, significant } from "../format";
 import type { Theme } from "../state";
-import { type Context, fileName, loadShown, noTrace, type Shown } from "./context";
+import { type Context, fileName, loadShown, noTrace, pointsBefore, type Shown } from "./context";
 import { Figure } from "./figure";
 import { axis, bands, baseLayout, largest, palette, scaled, timeAxis } from "./layout";
 
@@ -18,7 +18,7 @@ interface Error {
 const kErrors: readonly Error[] = [
   { id: "com_error", title: "CoM error", note: "norm of CoM minus the planner\u2019s reference", signal: "com_error_m", unit: "mm", factor: 1e3 },
   { id: "path_error", title: "Path error", note: "horizontal distance from where the command wants the CoM, never re-planned", signal: "path_error_m", unit: "mm", factor: 1e3 },
-  { id: "orientation_error", title: "Orientation error", note: "norm of the rotation vector between reference and trunk", signal: "orientation_error_rad", unit: "rad", factor: 1 },
+  { id: "orientation", title: "Orientation error", note: "norm of the rotation vector between reference and trunk", signal: "orientation_error_rad", unit: "rad", factor: 1 },
 ];
 
 export function trackingFigures(context: Context): Figure[] {
@@ -68,11 +68,7 @@ function drawError(context: Context, error: Error, shown: Shown[], theme: Theme)
 
 // The last second before a fall would press all else flat; double-click or zoom shows it.
 function topOf(drawn: { s: Shown; values: Float32Array }[]): number {
-  const tops = drawn.map(({ s, values }) => {
-    if (s.fall === null) return largest(values);
-    const { bucket_s } = s.trace.info.plots;
-    return largest(values, Math.max(2, 2 * Math.floor((s.fall - 1) / bucket_s)));
-  });
+  const tops = drawn.map(({ s, values }) => largest(values, pointsBefore(s, values.length)));
   const top = Math.max(...tops.filter(Number.isFinite));
   return Number.isFinite(top) && top > 0 ? 1.12 * top : 1;
 }

@@ -1,6 +1,7 @@
 // One run on the stage: its robot, what is drawn around it, its blocks.
 import { Group, Vector3 } from "three";
 import type { Cell, Report, Trace } from "../data";
+import { seconds } from "../format";
 import { Blocks } from "./ground";
 import { kOverlayNames, Overlays, type OverlayName, type Scales } from "./overlays";
 import { Recording } from "./recording";
@@ -67,7 +68,7 @@ export class Actor {
     if (this.cell?.outcome !== "fell") return "";
     const fall = this.cell.fall_time_s ?? this.recording.end;
     if (t < Math.min(fall, this.recording.end)) return "";
-    return `fell at ${fall.toFixed(1)} s${this.cell.reason ? ` (${this.cell.reason})` : ""}`;
+    return `fell at ${seconds(fall)}${this.cell.reason ? ` (${this.cell.reason})` : ""}`;
   }
 
   /** The present values in words. */

@@ -14,7 +14,7 @@ export const kCameraPresets = {
 export type CameraPreset = keyof typeof kCameraPresets;
 
 export class FollowCamera {
-  readonly camera = new PerspectiveCamera(32, 1, 0.05, 60);
+  readonly camera = new PerspectiveCamera(30, 1, 0.05, 60);
   following = true;
   private readonly orbit: OrbitControls;
   private readonly robot = new Vector3();

@@ -5,6 +5,7 @@ import { theme, time } from "../state";
 import { Actor } from "./actor";
 import { AxesGizmo } from "./axes_gizmo";
 import { type CameraPreset, FollowCamera } from "./camera";
+import { caption } from "./caption";
 import { Controls, type ReplayActions } from "./controls";
 import { kOverlayNames, kOverlays, type OverlayName, roundScale, type Scales } from "./overlays";
 import { download, pictureOf } from "./picture";
@@ -19,7 +20,8 @@ export interface Shown {
 
 export type Mode = "side" | "ghost";
 
-const kNarrow = 520; // [px] below it two runs stand one above the other
+const kPicture = { width: 1280, height: 720 }; // [px] of a saved one
+const kNarrow = 420; // [px] below it two runs stand one above the other
 
 export class Replay implements ReplayActions {
   private readonly root = document.createElement("div");
@@ -130,13 +132,15 @@ export class Replay implements ReplayActions {
     );
   }
 
-  /** The present picture with its caption, as a PNG. */
-  takePicture(): Promise<Blob> {
+  /** The picture at t [s] with its caption, as a PNG of the same size in every window. */
+  takePicture(t = this.now): Promise<Blob> {
     if (!this.stage) return Promise.reject(new NoWebGl("There is no 3D picture."));
-    this.render(); // in the same task: the browser drops the canvas's contents after it
-    const lines = [`${this.title}, t = ${this.now.toFixed(2)} s`];
-    for (const actor of this.actors) lines.push(`${actor.label}: ${actor.values(this.now)}`);
-    return pictureOf(this.stage.canvas, lines, theme.get() === "dark");
+    this.draw(t, kPicture.width, kPicture.height, 1);
+    const lines = [`${this.title}, t = ${t.toFixed(2)} s`];
+    for (const actor of this.actors) lines.push(`${actor.label}: ${actor.values(t)}`);
+    const picture = pictureOf(this.stage.canvas, lines, theme.get() === "dark"); // copies it before the next line
+    this.render();
+    return picture;
   }
 
   dispose(): void {
@@ -247,17 +251,18 @@ export class Replay implements ReplayActions {
   }
 
   private render(): void {
-    if (!this.stage || !this.camera || !this.gizmo || this.actors.length === 0) return;
-    const t = this.now;
+    if (this.actors.length === 0) return;
+    this.draw(this.now, this.picture.clientWidth, this.picture.clientHeight, Math.min(window.devicePixelRatio || 1, 2));
+    this.write(this.now);
+  }
+
+  private draw(t: number, width: number, height: number, ratio: number): void {
+    if (!this.stage || !this.camera || !this.gizmo) return;
     for (const actor of this.actors) actor.seek(t);
     const views = this.views();
     this.camera.track(views[0]?.target ?? new Vector3());
-    const width = this.picture.clientWidth;
-    const height = this.picture.clientHeight;
-    const stacked = width < kNarrow;
-    this.stage.resize(width, height);
-    this.stage.draw(views, this.camera.camera, this.gizmo, width, height, stacked);
-    this.write(t, stacked);
+    this.stage.resize(width, height, ratio);
+    this.stage.draw(views, this.camera.camera, this.gizmo, width, height, width < kNarrow);
   }
 
   private views(): View[] {
@@ -270,7 +275,8 @@ export class Replay implements ReplayActions {
     });
   }
 
-  private write(t: number, stacked: boolean): void {
+  private write(t: number): void {
+    const stacked = this.picture.clientWidth < kNarrow;
     this.controls.setTime(t, this.end);
     this.controls.values.textContent =
       `t = ${t.toFixed(2)} s. ` + this.actors.map((actor) => `${actor.label}: ${actor.values(t)}.`).join(" ");
@@ -279,23 +285,6 @@ export class Replay implements ReplayActions {
     const names = this.actors.map((actor) => `${actor.label}${actor.fall(t) ? `, ${actor.fall(t)}` : ""}`);
     this.stage?.canvas.setAttribute("aria-label", `3D replay of ${this.title}: ${names.join("; ")}`);
   }
-}
-
-function caption(actor: Actor, t: number): HTMLElement {
-  const line = document.createElement("div");
-  const name = document.createElement("span");
-  name.className = "replay-name";
-  name.style.setProperty("--run", actor.color);
-  name.textContent = actor.label;
-  line.append(name);
-  const fall = actor.fall(t);
-  if (fall) {
-    const note = document.createElement("span");
-    note.className = "replay-fell";
-    note.textContent = fall;
-    line.append(note);
-  }
-  return line;
 }
 
 // The longest arrows are 0.6 m; one scale for all runs that stand side by side.

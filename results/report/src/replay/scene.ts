@@ -1,6 +1,6 @@
 // Canvas, lights, ground and theme; draws one or two views with the same camera.
 import {
-  Color, DirectionalLight, Fog, HemisphereLight, type Object3D, PCFShadowMap, type PerspectiveCamera, Scene, type Vector3,
+  Color, DirectionalLight, Fog, HemisphereLight, MathUtils, type Object3D, PCFShadowMap, type PerspectiveCamera, Scene, type Vector3,
   WebGLRenderer,
 } from "three";
 import type { AxesGizmo } from "./axes_gizmo";
@@ -12,6 +12,11 @@ export interface View {
   target: Vector3; // what the light falls on
   shift: Vector3; // of the camera
 }
+
+type Area = [x: number, y: number, width: number, height: number]; // [px] from the lower left corner
+
+const kAngle = 32; // [deg] of the camera, from top to bottom
+const kLeastAspect = 1.25; // narrower views get a wider angle, so that the robot is not cut off
 
 export class NoWebGl extends Error {}
 
@@ -46,26 +51,23 @@ export class Stage {
     this.ground.paint(dark);
   }
 
-  /** Size in CSS pixels. */
-  resize(width: number, height: number): void {
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
+  /** Size in CSS pixels, each of `ratio` pixels of the picture. */
+  resize(width: number, height: number, ratio: number): void {
+    this.renderer.setPixelRatio(ratio);
     this.renderer.setSize(width, height, false);
   }
 
   /** Each view into its part of the canvas: beside each other, or below where `stacked`. */
   draw(views: View[], camera: PerspectiveCamera, gizmo: AxesGizmo, width: number, height: number, stacked: boolean): void {
-    const w = stacked ? width : width / views.length;
-    const h = stacked ? height / views.length : height;
-    if (views.length === 0 || w < 1 || h < 1) return;
-    camera.aspect = w / h;
-    camera.updateProjectionMatrix();
+    if (width < 1 || height < 1) return;
     this.renderer.setScissorTest(true);
     views.forEach((view, i) => {
-      const x = stacked ? 0 : i * w;
-      const y = stacked ? height - (i + 1) * h : 0;
+      const [begin, end] = [i, i + 1].map((k) => Math.round((k / views.length) * (stacked ? height : width))) as [number, number];
+      const area: Area = stacked ? [0, height - end, width, end - begin] : [begin, 0, end - begin, height];
       for (const other of views) for (const object of other.objects) object.visible = other === view;
-      this.drawView(view, camera, [x, y, w, h]);
-      gizmo.draw(this.renderer, camera, x, y);
+      fit(camera, area[2] / area[3]);
+      this.drawView(view, camera, area);
+      gizmo.draw(this.renderer, camera, area[0], area[1]);
     });
     this.renderer.setScissorTest(false);
   }
@@ -78,7 +80,7 @@ export class Stage {
     this.canvas.remove();
   }
 
-  private drawView(view: View, camera: PerspectiveCamera, area: [number, number, number, number]): void {
+  private drawView(view: View, camera: PerspectiveCamera, area: Area): void {
     camera.position.add(view.shift);
     camera.updateMatrixWorld();
     this.sun.target.position.copy(view.target);
@@ -102,4 +104,11 @@ export class Stage {
     Object.assign(box, { left: -1.4, right: 1.4, top: 1.4, bottom: -1.4, near: 0.5, far: 9 });
     this.scene.add(this.sky, this.sun, this.sun.target);
   }
+}
+
+function fit(camera: PerspectiveCamera, aspect: number): void {
+  const half = Math.tan(MathUtils.degToRad(kAngle / 2)) * Math.max(1, kLeastAspect / aspect);
+  camera.fov = 2 * MathUtils.radToDeg(Math.atan(half));
+  camera.aspect = aspect;
+  camera.updateProjectionMatrix();
 }

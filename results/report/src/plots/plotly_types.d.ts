@@ -19,7 +19,7 @@ declare module "plotly.js-cartesian-dist-min" {
     _fullLayout?: Record<string, unknown> & { _size?: { t: number; h: number } };
     on(event: string, listener: (event: Record<string, unknown>) => void): void;
   }
-  interface Plotly {
+  export interface Plotly {
     react(element: HTMLElement, data: PlotTrace[], layout: PlotLayout, config?: object): Promise<PlotElement>;
     relayout(element: HTMLElement, change: PlotLayout): Promise<PlotElement>;
     purge(element: HTMLElement): void;
