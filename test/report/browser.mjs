@@ -8,7 +8,8 @@ import { pathToFileURL } from "node:url";
 const { chromium, selectors } = createRequire(new URL("../../results/report/package.json", import.meta.url))("playwright-core");
 selectors.setTestIdAttribute("data-test");
 
-const kSoftwareGl = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+// WebGL by the processor; the rest of the page without it, which is faster there.
+const kSoftwareGl = ["--disable-gpu-compositing", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
 export class Browser {
   /** `gl`: false for a browser without WebGL. */

@@ -43,7 +43,7 @@ async function shot(page, name, whole = false) {
 }
 
 const kTabs = {
-  tracking: ["com_error", "path_error", "orientation_error"],
+  tracking: ["com_error", "path_error", "orientation"],
   estimates: ["force", "joint_torque", "com_wrench"],
   feet: ["foot_error", "grf"],
   balance: ["zmp_margin", "zmp_time"],
@@ -161,7 +161,7 @@ test("the replay's feet are where those of the simulation were", async () => {
 });
 
 test("scrubbing the replay moves the robot and the plots' cursor", async () => {
-  const page = await open({ width: 1500, height: 1000 });
+  const page = await open({ width: 1400, height: 900 });
   await choose(page, "case1/tip_lateral");
   const replay = new ReplayPart(page);
   await replay.ready();
@@ -184,7 +184,7 @@ test("scrubbing the replay moves the robot and the plots' cursor", async () => {
 });
 
 test("the replay plays, pauses and steps", async () => {
-  const page = await open({ width: 1500, height: 1000 });
+  const page = await open({ width: 1400, height: 900 });
   await choose(page, "case1/tip_lateral");
   const replay = new ReplayPart(page);
   await replay.ready();
@@ -211,7 +211,7 @@ test("the replay plays, pauses and steps", async () => {
 });
 
 test("cameras and overlays change the picture", async () => {
-  const page = await open({ width: 1500, height: 1000 });
+  const page = await open({ width: 1400, height: 900 });
   await choose(page, "case1/tip_lateral");
   const replay = new ReplayPart(page);
   await replay.ready();
@@ -230,7 +230,7 @@ test("cameras and overlays change the picture", async () => {
 });
 
 test("two runs stand side by side or as a ghost; the one that fell stays where it fell and says so", async () => {
-  const page = await open({ width: 1500, height: 1000 });
+  const page = await open({ width: 1400, height: 900 });
   const fallen = data.cells.find((c) => c.outcome === "fell" && c.trace !== null && c.scenario_id === "case5/plus_30");
   const standing = data.cells.find((c) => c.outcome === "survived" && c.trace !== null && c.scenario_id === "case5/plus_30");
   assert.ok(fallen && standing, "case 5 has a run that falls and one that does not");
@@ -264,7 +264,7 @@ test("two runs stand side by side or as a ghost; the one that fell stays where i
 });
 
 test("the picture of the replay can be saved", async () => {
-  const page = await open({ width: 1500, height: 1000 });
+  const page = await open({ width: 1400, height: 900 });
   await choose(page, "case1_no_swing/tip_lateral");
   const replay = new ReplayPart(page);
   await replay.ready();

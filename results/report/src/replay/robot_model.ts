@@ -108,9 +108,10 @@ export class RobotModel {
   private addFront(trunk: Link | undefined, frame: Object3D | undefined): void {
     const box = trunk?.shapes.find((shape) => shape.kind === "box");
     if (!box || !frame) return;
-    const [length = 0, width = 0, height = 0] = box.size;
+    const [length, width, height] = [0, 1, 2].map((axis) => extent(box, axis)) as [number, number, number];
     const plate = this.mesh(new RoundedBoxGeometry(0.02, 0.55 * width, 0.6 * height, 3, 0.008), this.joint);
-    plate.position.set((box.position[0] ?? 0) + length / 2, box.position[1] ?? 0, box.position[2] ?? 0);
+    plate.position.fromArray(box.position);
+    plate.position.x += length / 2;
     frame.add(plate);
   }
 
@@ -138,6 +139,11 @@ export class RobotModel {
     this.geometries.push(geometry);
     return new Mesh(geometry, material);
   }
+}
+
+// Of a box along an axis of its link [m].
+function extent(box: Shape, axis: number): number {
+  return box.size.reduce((sum, edge, i) => sum + Math.abs(box.rotation[3 * axis + i] ?? 0) * edge, 0);
 }
 
 function geometryOf(shape: Shape): BufferGeometry {

@@ -16,7 +16,7 @@ export interface View {
 type Area = [x: number, y: number, width: number, height: number]; // [px] from the lower left corner
 
 const kAngle = 32; // [deg] of the camera, from top to bottom
-const kLeastAspect = 1.25; // narrower views get a wider angle, so that the robot is not cut off
+const kLeastAspect = 1.05; // narrower views get a wider angle, so that the robot is not cut off
 
 export class NoWebGl extends Error {}
 
