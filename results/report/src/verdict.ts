@@ -90,7 +90,7 @@ export class Verdict {
     document.querySelector<HTMLElement>(`button.expand[data-scenario="${CSS.escape(scenario)}"]`)?.focus();
   }
 
-  show(scenario: string, wanted: string, observer: ObserverInfo): void {
+  show(scenario: string, wanted: string | null, observer: ObserverInfo): void {
     const { report, selection } = this;
     selection.shown.set(new Set([...selection.shown.get(), observer.id]));
     selection.focus.set(observer.id);
@@ -205,7 +205,7 @@ function dataCell(verdict: Verdict, scenario: string, cell: CellSummary, observe
   if (cell.state === "empty") return h("td", { class: classes }, h("span", { class: "nothing" }, "\u2013"));
   const com = millimetres(value(cell.com, "com_error_max_m"));
   const foot = millimetres(value(cell.foot, "foot_error_max_m"));
-  const target = wanted ?? cell.com?.scenario_id ?? scenario;
+  const target = wanted ?? cell.com?.scenario_id ?? null;
   const button = h(
     "button",
     {

@@ -53,6 +53,7 @@ function drawError(context: Context, error: Error, shown: Shown[], theme: Theme)
     line: { color: s.style.color, dash: s.style.dash, width: 1.4 },
     hovertemplate: `${hover}<extra>${s.short}</extra>`,
     legendgroup: s.id,
+    legendrank: s.rank,
   }));
   for (const { s, values } of drawn) if (s.fall !== null) data.push(fallMark(s, Math.min(lastOf(values), top)));
   const pushes = disturbed(drawn[0]!.s, top, theme);
