@@ -16,8 +16,16 @@ const kOthers = ["#CC79A7", "#56B4E9", "#B8A900", "#8C564B", "#4C4C9D", "#66A61E
 // Two of them are too dark for a dark page.
 const kOthersDark = ["#CC79A7", "#56B4E9", "#B8A900", "#B98579", "#8C8CDB", "#66A61E"];
 
-// Shapes of markers (plotly's names), in the order of the observers of a page.
-const kSymbols = ["circle", "square", "diamond", "triangle-up", "triangle-down", "pentagon", "hexagon", "star"];
+// Shapes of markers (plotly's names).
+const kSymbols: Record<string, string> = {
+  none: "circle",
+  momentum: "square",
+  com_wrench: "diamond",
+  nonlinear_dob: "triangle-up",
+  momentum_com: "triangle-down",
+  oracle_full: "pentagon",
+};
+const kOtherSymbols = ["hexagon", "star", "triangle-left", "triangle-right", "cross", "hourglass", "bowtie"];
 
 export interface ObserverStyle {
   color: string;
@@ -45,7 +53,8 @@ export function observerStyles(observers: readonly Named[], theme: Theme): Map<s
         ? kOracle[theme]
         : (kNamed[o.observer] ?? others[unnamed.indexOf(o.observer) % others.length] ?? "#777777");
     const dash = o.oracle ? "dash" : ((["solid", "dot", "dashdot"] as const)[Math.max(0, profiles.indexOf(o.profile)) % 3] ?? "solid");
-    styles.set(o.id, { color, dash, symbol: kSymbols[names.indexOf(o.observer) % kSymbols.length] ?? "circle" });
+    const symbol = kSymbols[o.observer] ?? kOtherSymbols[unnamed.indexOf(o.observer) % kOtherSymbols.length] ?? "circle";
+    styles.set(o.id, { color, dash, symbol });
   }
   return styles;
 }

@@ -37,7 +37,7 @@ export class ReplayHost {
     const { report, selection } = this;
     const traces = shownTraces(report, selection);
     const first = traces.find((t) => t.info.observer_id === selection.focus.get()) ?? traces[0];
-    this.drawChoice(traces.map((t) => t.info.observer_id), first?.info.observer_id ?? "");
+    this.choice.hidden = !first;
     if (!first) {
       ++this.turn;
       this.replay?.dispose();
@@ -45,6 +45,7 @@ export class ReplayHost {
       replaceContent(this.host, h("p", { class: "empty" }, "This page holds no replay of this scenario with these observers."));
       return;
     }
+    this.drawChoice(traces.map((t) => t.info.observer_id), first.info.observer_id);
     const second = traces.find((t) => t.info.observer_id === this.second && t !== first);
     const styles = observerStyles(report.observers, theme.get());
     const shown = [first, ...(second ? [second] : [])].map(({ index, info }) => ({

@@ -62,11 +62,13 @@ export function shownTraces(report: Report, selection: Selection): ShownTrace[] 
   return tracesOf(report, selection).filter((t) => selection.shown.get().has(t.info.observer_id));
 }
 
-// Of a scenario file: the wanted variant if it has a trace of the observer, else the first that has one, else the wanted.
-export function variantToShow(report: Report, scenario: string, wanted: string, observer: string): string {
+// Of a scenario file: the wanted variant if it has a trace of the observer, else the first that has one; without any the
+// wanted one, or the first.
+export function variantToShow(report: Report, scenario: string, wanted: string | null, observer: string): string {
   const has = (id: string): boolean => report.traces.some((t) => t.scenario_id === id && t.observer_id === observer);
-  if (has(wanted)) return wanted;
-  return report.scenarios.find((s) => s.scenario === scenario && has(s.id))?.id ?? wanted;
+  if (wanted !== null && has(wanted)) return wanted;
+  const variants = report.scenarios.filter((s) => s.scenario === scenario).map((s) => s.id);
+  return variants.find(has) ?? wanted ?? variants[0] ?? "";
 }
 
 export function selectScenario(report: Report, selection: Selection, id: string): void {

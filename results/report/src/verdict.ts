@@ -13,6 +13,7 @@ export class Verdict {
   private readonly tables = h("div", {});
   private readonly open = new Set<string>();
   private order: Order | null = null;
+  private othersOpen = false;
 
   constructor(
     private readonly report: Report,
@@ -60,7 +61,7 @@ export class Verdict {
     const names = [...new Set(rows.map((row) => row.scenario))];
     return h(
       "details",
-      { class: "others" },
+      { class: "others", open: this.othersOpen, ontoggle: (event) => (this.othersOpen = (event.target as HTMLDetailsElement).open) },
       h("summary", {}, `With observers of their own: ${names.join(", ")}`),
       ...names.map((name) =>
         matrix(this, linesOf(this.report, rows.filter((row) => row.scenario === name)), `verdict-${name}`, `Verdict of ${name}`),
@@ -90,7 +91,7 @@ export class Verdict {
     document.querySelector<HTMLElement>(`button.expand[data-scenario="${CSS.escape(scenario)}"]`)?.focus();
   }
 
-  show(scenario: string, wanted: string, observer: ObserverInfo): void {
+  show(scenario: string, wanted: string | null, observer: ObserverInfo): void {
     const { report, selection } = this;
     selection.shown.set(new Set([...selection.shown.get(), observer.id]));
     selection.focus.set(observer.id);
@@ -123,7 +124,7 @@ function matrix(verdict: Verdict, lines: Line[], test: string, label: string): H
   const body = h("tbody", {});
   for (const scenario of sorted(verdict.scenariosIn(lines), columns, order)) {
     const variants = [...new Set(lines.flatMap((l) => l.rows.filter((r) => r.scenario === scenario).map((r) => r.variant)))];
-    body.append(scenarioRow(verdict, scenario, variants.length, lines, cellOf));
+    body.append(scenarioRow(verdict, scenario, variants, lines, cellOf));
     if (variants.length > 1 && verdict.isOpen(scenario)) {
       for (const variant of variants) body.append(variantRow(verdict, scenario, variant, lines));
     }
@@ -151,21 +152,21 @@ function sortKey(cell: CellSummary): number | null {
 function scenarioRow(
   verdict: Verdict,
   scenario: string,
-  variants: number,
+  variants: string[],
   lines: Line[],
   cellOf: (line: Line, scenario: string) => CellSummary,
 ): HTMLElement {
   const open = verdict.isOpen(scenario);
   const head =
-    variants > 1
+    variants.length > 1
       ? h(
           "button",
           { type: "button", class: "expand", "data-test": "expand", "data-scenario": scenario, "aria-expanded": open, onclick: () => verdict.toggle(scenario) },
           h("span", { class: "chevron", "aria-hidden": true }, "\u25B8"),
           h("span", {}, scenario),
-          h("small", {}, plural(variants, "variant")),
+          h("small", {}, plural(variants.length, "variant")),
         )
-      : h("span", { class: "expand" }, h("span", { class: "chevron" }), h("span", {}, scenario));
+      : h("span", { class: "expand" }, h("span", { class: "chevron" }), h("span", {}, scenario), variants[0] !== "" && h("small", {}, variants[0]));
   const cells = lines.map((line) => cellOf(line, scenario));
   const best = bestOf(lines, cells);
   return h(
@@ -205,7 +206,7 @@ function dataCell(verdict: Verdict, scenario: string, cell: CellSummary, observe
   if (cell.state === "empty") return h("td", { class: classes }, h("span", { class: "nothing" }, "\u2013"));
   const com = millimetres(value(cell.com, "com_error_max_m"));
   const foot = millimetres(value(cell.foot, "foot_error_max_m"));
-  const target = wanted ?? cell.com?.scenario_id ?? scenario;
+  const target = wanted ?? cell.com?.scenario_id ?? null;
   const button = h(
     "button",
     {

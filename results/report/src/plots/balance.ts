@@ -28,6 +28,7 @@ function overlaid(shown: Shown[], signal: string, factor: number, unit: string):
         y: scaled(values, factor),
         name: s.label,
         legendgroup: s.id,
+        legendrank: s.rank,
         line: { color: s.style.color, dash: s.style.dash, width: 1.2 },
         hovertemplate: `%{y:.3~g}${unit}<extra>${s.short}</extra>`,
       },

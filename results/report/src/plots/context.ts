@@ -17,6 +17,7 @@ export interface Shown {
   label: string; // with the fall, if it fell
   short: string;
   style: ObserverStyle;
+  rank: number; // in legends: the order of the report, whatever is drawn on top
   fall: number | null; // [s]
 }
 
@@ -32,8 +33,9 @@ export async function loadShown({ report, selection }: Context, theme: Theme): P
       const fall = cell?.outcome === "fell" ? (cell.fall_time_s ?? info.end_s) : null;
       const short = shortName(info.observer_id);
       const style = styles.get(info.observer_id)!;
+      const rank = 100 + report.observers.findIndex((o) => o.id === info.observer_id);
       const label = fall === null ? short : `${short} \u2715 fell at ${seconds(fall)}`;
-      return { trace: await loadTrace(index), cell, id: info.observer_id, label, short, style, fall };
+      return { trace: await loadTrace(index), cell, id: info.observer_id, label, short, style, rank, fall };
     }),
   );
 }

@@ -132,6 +132,7 @@ function line(s: Shown, values: Float32Array | null, at: { x: string; y: string 
     yaxis: at.y,
     name: s.label,
     legendgroup: s.id,
+    legendrank: s.rank,
     showlegend: first,
     line: { color: s.style.color, dash: s.style.dash, width: 1.3 },
     hovertemplate: `%{y:.3~g} ${c.unit}<extra>${s.short}</extra>`,

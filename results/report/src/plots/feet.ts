@@ -45,6 +45,7 @@ function errorLine(s: Shown, leg: string, yaxis: string, first: boolean) {
     yaxis,
     name: s.label,
     legendgroup: s.id,
+    legendrank: s.rank,
     showlegend: first,
     line: { color: s.style.color, dash: s.style.dash, width: 1.2 },
     hovertemplate: `%{y:.3~g} mm<extra>${s.short}</extra>`,

@@ -100,7 +100,7 @@ export class Figure {
     if (!this.plot) replaceContent(this.host);
     this.buttons.hidden = false;
     const layout = this.fit(drawing, width);
-    const plot = await this.plotly.react(this.host, drawing.data, layout, { displayModeBar: false, responsive: false, doubleClick: "reset+autosize" });
+    const plot = await this.plotly.react(this.host, drawing.data, layout, { displayModeBar: false, responsive: false, showTips: false, doubleClick: "reset+autosize" });
     if (!this.plot) this.listen(plot);
     this.plot = plot;
     this.placeCursors(time.get());

@@ -8,7 +8,7 @@ import { type Drawing, Figure, type Missing } from "./figure";
 import { axis, baseLayout, palette } from "./layout";
 
 const kTrail_s = 0.6; // of ZMP and centre of pressure before the cursor
-const kHalf_m = 0.45; // of the window
+const kHalf_m = 0.4; // of the window
 
 export function groundFigure(context: Context): Figure {
   const figure = new Figure({

@@ -83,7 +83,7 @@ export function drawSeeds(scope: Scope, theme: Theme, width: number): Drawing | 
     hovermode: "closest",
     yaxis: laneAxis(theme, list, (lane) => `${lane.name} <b>${counts.get(lane)}</b>`),
     xaxis: axis(theme, `${metric.label} [${metric.unit}]`, { domain: [0, 0.74], type: wide(data) ? "log" : "linear", rangemode: "tozero", zeroline: false, ...(wide(data) ? { dtick: width < kNarrow ? 1 : "D2" } : {}) }),
-    xaxis2: axis(theme, "fell at [s]", { domain: [0.8, 1], anchor: "y", rangemode: "tozero", zeroline: false, nticks: 4, tickangle: 0 }),
+    xaxis2: axis(theme, width < kNarrow ? "fell [s]" : "fell at [s]", { domain: [0.8, 1], anchor: "y", rangemode: "tozero", zeroline: false, nticks: width < kNarrow ? 2 : 5, tickangle: 0 }),
   });
   return { data, layout, height: laneHeight(list), summary: `${scope.name}. ${summary.join("; ")}.` };
 }

@@ -44,11 +44,16 @@ function draw(context: Context, which: "tick" | "qp", theme: Theme): Drawing | M
   }
   if (timings.length === 0) return { missing: howTo(context) };
   if (data.length === 0) return { missing: "The serial pass of this run kept no histogram, only the quantiles in the table below." };
+  const wide = data.some((d) => isWide(d["x"] as number[])); // bins are then narrow and wide ones: as equals on a log axis
   const layout = baseLayout(theme, {
-    xaxis: axis(theme, "time [\u00B5s]", { unifiedhovertitle: { text: "from %{x:.3~g} \u00B5s" }, zeroline: false }),
+    xaxis: axis(theme, "time [\u00B5s]", { unifiedhovertitle: { text: "from %{x:.3~g} \u00B5s" }, zeroline: false, ...(wide ? { type: "log", dtick: "D2" } : {}) }),
     yaxis: axis(theme, "share [%]", { rangemode: "tozero" }),
   });
   return { data, layout, height: 280, summary: `${texts.join("; ")}.` };
+}
+
+function isWide(edges: readonly number[]): boolean {
+  return edges.length > 1 && edges[0]! > 0 && edges[edges.length - 1]! > 10 * edges[0]!;
 }
 
 function steps(histogram: Histogram): PlotTrace {

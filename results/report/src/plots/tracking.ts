@@ -53,8 +53,9 @@ function drawError(context: Context, error: Error, shown: Shown[], theme: Theme)
     line: { color: s.style.color, dash: s.style.dash, width: 1.4 },
     hovertemplate: `${hover}<extra>${s.short}</extra>`,
     legendgroup: s.id,
+    legendrank: s.rank,
   }));
-  for (const { s, values } of drawn) if (s.fall !== null) data.push(fallMark(s, Math.min(lastOf(values), top)));
+  for (const { s, values } of drawn) if (s.fall !== null) data.push(fallMark(s, Math.min(peakBeforeFall(s, values), 0.97 * top)));
   const pushes = disturbed(drawn[0]!.s, top, theme);
   if (pushes) data.unshift(pushes);
   const layout = baseLayout(theme, {
@@ -73,10 +74,10 @@ function topOf(drawn: { s: Shown; values: Float32Array }[]): number {
   return Number.isFinite(top) && top > 0 ? 1.12 * top : 1;
 }
 
-function lastOf(values: Float32Array): number {
-  let i = values.length - 1;
-  while (i > 0 && !Number.isFinite(values[i])) --i;
-  return values[i] ?? 0;
+// In the last second; where the mark of the fall stands.
+function peakBeforeFall(s: Shown, values: Float32Array): number {
+  const peak = largest(values.slice(pointsBefore(s, values.length)));
+  return Number.isFinite(peak) ? peak : 0;
 }
 
 function fallMark(s: Shown, y: number): PlotTrace {
