@@ -242,7 +242,7 @@ export class Replay implements ReplayActions {
   // While it plays: the shared time goes on by the wall time since the last frame.
   private advance(at: number): void {
     if (!this.playing) return;
-    const passed = this.before > 0 ? Math.min(at - this.before, 200) / 1000 : 0;
+    const passed = this.before > 0 ? Math.min(at - this.before, 500) / 1000 : 0;
     this.before = at;
     const t = Math.min(this.now + passed * this.speed, this.end);
     time.set(t);
