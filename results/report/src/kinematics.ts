@@ -1,0 +1,82 @@
+// Where the feet are, from the trunk's pose and the joint angles of a replay frame.
+import { kLegs, type Robot, type Trace } from "./data";
+
+export type Vec = [number, number, number];
+type Rotation = readonly Vec[]; // rows
+
+const kJoints = ["hip", "upper", "lower"] as const;
+const kIdentity: Rotation = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+
+// Centres of the feet in the world at frame k, in the order of robot.feet; null where the replay lacks a signal.
+export function footPositions(robot: Robot, trace: Trace, k: number): Vec[] | null {
+  const read = (name: string): number => trace.replay(name)?.[k] ?? NaN;
+  const angle = (joint: number): number => read(`${kLegs[Math.floor(joint / 3)]}/${kJoints[joint % 3]}/angle_rad`);
+  const positions: Vec[] = [];
+  const rotations: Rotation[] = [];
+  robot.links.forEach((link) => {
+    if (link.parent < 0) {
+      positions.push([read("trunk/x_m"), read("trunk/y_m"), read("trunk/z_m")]);
+      rotations.push(fromQuaternion(read("trunk/qw"), read("trunk/qx"), read("trunk/qy"), read("trunk/qz")));
+      return;
+    }
+    const parent = rotations[link.parent]!;
+    positions.push(add(positions[link.parent]!, rotate(parent, link.origin)));
+    rotations.push(product(parent, link.joint < 0 ? kIdentity : about(link.axis, angle(link.joint))));
+  });
+  const feet = robot.feet.map((foot) => add(positions[foot.link]!, rotate(rotations[foot.link]!, foot.center)));
+  return feet.length > 0 && feet.every((p) => p.every(Number.isFinite)) ? feet : null;
+}
+
+function fromQuaternion(w: number, x: number, y: number, z: number): Rotation {
+  return [
+    [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+    [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+    [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+  ];
+}
+
+function about([x, y, z]: Vec, angle: number): Rotation {
+  const half = angle / 2;
+  const s = Math.sin(half) / Math.hypot(x, y, z);
+  return fromQuaternion(Math.cos(half), s * x, s * y, s * z);
+}
+
+function rotate(r: Rotation, v: Vec): Vec {
+  const row = (i: number): number => r[i]![0] * v[0] + r[i]![1] * v[1] + r[i]![2] * v[2];
+  return [row(0), row(1), row(2)];
+}
+
+function product(a: Rotation, b: Rotation): Rotation {
+  const column = (j: number): Vec => rotate(a, [b[0]![j]!, b[1]![j]!, b[2]![j]!]);
+  const [x, y, z] = [column(0), column(1), column(2)];
+  return [0, 1, 2].map((i) => [x[i]!, y[i]!, z[i]!] as Vec);
+}
+
+function add(a: Vec, b: Vec): Vec {
+  return [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+}
+
+export type Point = [number, number];
+
+// Convex hull, counterclockwise (Andrew's monotone chain).
+export function hull(points: readonly Point[]): Point[] {
+  const ordered = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
+  if (ordered.length < 3) return ordered;
+  const half = (list: Point[]): Point[] => {
+    const chain: Point[] = [];
+    for (const p of list) {
+      while (chain.length > 1 && turn(chain[chain.length - 2]!, chain[chain.length - 1]!, p) <= 0) chain.pop();
+      chain.push(p);
+    }
+    return chain.slice(0, -1);
+  };
+  return [...half(ordered), ...half([...ordered].reverse())];
+}
+
+function turn(a: Point, b: Point, c: Point): number {
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
