@@ -55,7 +55,8 @@ Command add_figures_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("figures", "the paper's figures, redrawn from a run directory");
   command->add_option("dir", arguments->dir, "run directory")->required();
   command->add_option("--format", arguments->format, "svg, pdf or png")->transform(CLI::CheckedTransformer(formats));
-  command->add_option("--out", arguments->out, "directory for the figures, their scripts and data (default DIR/figures)");
+  command->add_option("--out", arguments->out,
+                      "directory for the figures, their scripts and data (default DIR/figures)");
   command->add_option("--profile", arguments->request.profile, "of the cells (default tuned, else the run's first)");
   command->add_option("--gains", arguments->request.gains, "of the cells (default paper, else the run's first)");
   command->add_option("--planner", arguments->request.planner, "of the cells (default the run's first)");

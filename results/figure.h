@@ -22,8 +22,8 @@ struct FigureLine {
   std::string label;  // for the legend; "": not in it
   FigureLook look;
   FigureMark mark = FigureMark::kLine;
-  std::vector<double> x, y;       // equally long; a NaN interrupts the line
-  std::optional<double> ended_at; // [x] where it ends before its time, with a fall: drawn as a cross and a dashed end
+  std::vector<double> x, y;        // equally long; a NaN interrupts the line
+  std::optional<double> ended_at;  // [x] where it ends before its time, with a fall: drawn as a cross and a dashed end
 };
 
 // A stretch of the x axis, shaded over the height of the panel.
@@ -52,11 +52,11 @@ struct FigurePanel {
   std::string x_axis, y_axis;
   std::array<double, 2> x_range{}, y_range{};
   bool log_x = false;
-  bool equal_axes = false;             // one unit is as long along y as along x: decides the height
-  double height_pt = 0.0;              // 0: as the layout has it
-  std::vector<FigureTick> y_ticks;     // names instead of numbers
-  std::vector<FigureBand> bands;       // behind the lines
-  std::vector<FigureLine> lines;       // the first one at the bottom
+  bool equal_axes = false;          // one unit is as long along y as along x: decides the height
+  double height_pt = 0.0;           // 0: as the layout has it
+  std::vector<FigureTick> y_ticks;  // names instead of numbers
+  std::vector<FigureBand> bands;    // behind the lines
+  std::vector<FigureLine> lines;    // the first one at the bottom
   std::vector<FigureText> texts;
   std::vector<FigureArrow> arrows;
 };

@@ -18,7 +18,9 @@ std::string chosen(const Run& run, std::string CellKey::*member, const std::stri
     const std::string& value = key.*member;
     if (value != kNoProfile && std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
   }
-  const auto has = [&](const std::string& value) { return std::find(values.begin(), values.end(), value) != values.end(); };
+  const auto has = [&](const std::string& value) {
+    return std::find(values.begin(), values.end(), value) != values.end();
+  };
   if (!wish.empty() && !has(wish)) {
     throw StoreError(fmt::format("--{} {}: the run has {}", what, wish, fmt::join(values, ", ")));
   }

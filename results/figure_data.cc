@@ -41,13 +41,20 @@ class TimeFigure {
   // What is told of a panel once all lines are known.
   struct Extent {
     const FigurePanelSpec* spec;
-    double end_s = 0.0;                                       // of the longest trial in it
-    double low = 0.0, high = 0.0;                             // of the values that are shown
+    double end_s = 0.0;            // of the longest trial in it
+    double low = 0.0, high = 0.0;  // of the values that are shown
+  };
+
+  struct Shown {
+    FigureCell cell;
+    FigureSeries series;
+    std::string label;
   };
 
   const std::vector<std::string>& observers_of(const FigurePanelSpec& panel) const {
-    if (!panel.observers.empty()) return panel.observers;
-    return cells_.request().observers.empty() ? spec_.observers : cells_.request().observers;
+    if (!panel.labels.empty()) return panel.observers;  // it is about these
+    if (!cells_.request().observers.empty()) return cells_.request().observers;
+    return panel.observers.empty() ? spec_.observers : panel.observers;
   }
 
   void add_panels(const FigurePanelSpec& spec) {
@@ -63,43 +70,59 @@ class TimeFigure {
     panel.x_axis = "t [s]";
     panel.y_axis = with_leg(quantity.axis, spec.leg);
     Extent extent{&spec};
-    for (std::size_t i = 0; i < observers.size(); ++i) {
-      try {
-        const FigureCell cell =
-            cells_.find(spec.cells.empty() ? spec_.cells : spec.cells, observers[i], spec_.profile);
-        add_lines(spec, quantity, cell, spec.labels.empty() ? "" : spec.labels[i], panel, extent);
-      } catch (const StoreError& missing) {
-        add_once(figure_.notes, missing.what());
-      }
+    const std::vector<Shown> all = find_cells(spec, quantity, observers);
+    if (all.empty()) return;
+    const FigureCell& longest = std::max_element(all.begin(), all.end(), [](const Shown& a, const Shown& b) {
+                                  return a.cell.cell->simulated_s < b.cell.cell->simulated_s;
+                                })->cell;
+    add_background(spec, quantity, longest, panel, extent);
+    for (const Shown& shown : all) {
+      add_line(shown.series, shown.cell, spec.each_observer ? "" : shown.label, look_of(spec, quantity, shown), panel,
+               extent);
+      if (shown.cell.cell->outcome == Outcome::kFell) mark_fall(spec, *shown.cell.cell, panel.lines.back());
+      remember(shown.cell.cell->key);
     }
-    if (panel.lines.empty()) return;
     figure_.panels.push_back(std::move(panel));
     extents_.push_back(extent);
   }
 
-  void add_lines(const FigurePanelSpec& spec, const FigureQuantity& quantity, const FigureCell& cell,
-                 const std::string& label, FigurePanel& panel, Extent& extent) {
-    const Trace& trace = *cell.trace;
-    const FigureSeries series = shown_part(spec, quantity, series_of(trace, quantity, spec.leg), cell);
-    if (panel.lines.empty()) {
-      if (spec.shade_disturbance) panel.bands = shown_bands(spec, disturbances_of(trace));
-      if (spec.shade_swing) {
-        for (const FigureBand& band : shown_bands(spec, swings_of(trace, spec.leg))) panel.bands.push_back(band);
-      }
-      if (!quantity.truth.empty()) {
-        const FigureSeries truth = shown_part(spec, quantity, truth_of(trace, quantity, spec.leg), cell);
-        add_line(truth, cell, "true", truth_look(), panel, extent);
+  // Those of the observers that have something to show; why others have not goes to the notes.
+  std::vector<Shown> find_cells(const FigurePanelSpec& spec, const FigureQuantity& quantity,
+                                const std::vector<std::string>& observers) {
+    std::vector<Shown> all;
+    for (std::size_t i = 0; i < observers.size(); ++i) {
+      try {
+        const FigureCell cell = cells_.find(spec.cells.empty() ? spec_.cells : spec.cells, observers[i], spec_.profile);
+        all.push_back({cell, shown_part(spec, quantity, series_of(*cell.trace, quantity, spec.leg), cell),
+                       spec.labels.empty() ? observers[i] : spec.labels[i]});
+      } catch (const StoreError& missing) {
+        add_once(figure_.notes, missing.what());
       }
     }
-    FigureLook look = label.empty() ? looks_.at(cell.cell->key.observer) : numbered_look(index_of(label));
-    look.width = quantity.truth.empty() ? 1.0 : 0.8;
-    add_line(series, cell, label.empty() ? cell.cell->key.observer : label, look, panel, extent);
-    if (cell.cell->outcome == Outcome::kFell) mark_fall(spec, *cell.cell, panel.lines.back());
-    remember(cell.cell->key);
+    return all;
   }
 
-  static FigureSeries shown_part(const FigurePanelSpec& spec, const FigureQuantity& quantity,
-                                 const FigureSeries& whole, const FigureCell& cell) {
+  // What is the same for all observers, from the trial that lasted longest.
+  void add_background(const FigurePanelSpec& spec, const FigureQuantity& quantity, const FigureCell& cell,
+                      FigurePanel& panel, Extent& extent) const {
+    if (spec.shade_swing) panel.bands = shown_bands(spec, swings_of(*cell.trace, spec.leg));
+    if (spec.shade_disturbance) {
+      for (const FigureBand& band : shown_bands(spec, disturbances_of(*cell.trace))) panel.bands.push_back(band);
+    }
+    if (quantity.truth.empty()) return;
+    const FigureSeries truth = shown_part(spec, quantity, truth_of(*cell.trace, quantity, spec.leg), cell);
+    add_line(truth, cell, "true", truth_look(), panel, extent);
+  }
+
+  FigureLook look_of(const FigurePanelSpec& spec, const FigureQuantity& quantity, const Shown& shown) {
+    FigureLook look = spec.labels.empty() ? looks_.at(shown.label) : numbered_look(index_of(shown.label));
+    if (!quantity.truth.empty()) look.width = 0.8;
+    if (spec.each_observer) look.dash.clear();  // alone in its panel, which bears its name
+    return look;
+  }
+
+  static FigureSeries shown_part(const FigurePanelSpec& spec, const FigureQuantity& quantity, const FigureSeries& whole,
+                                 const FigureCell& cell) {
     const FigureSeries part = spec.time_s ? cut(whole, (*spec.time_s)[0], (*spec.time_s)[1]) : whole;
     if (std::none_of(part.value.begin(), part.value.end(), [](double v) { return std::isfinite(v); })) {
       throw StoreError(fmt::format("{}, {}: no {} in the part that is shown", name_of(cell.cell->key),
@@ -140,7 +163,7 @@ class TimeFigure {
     return shown;
   }
 
-  // Panels of one quantity have one range, for the eye to compare, and those that show the whole trial one time.
+  // Panels of one quantity over the same time have one range, for the eye to compare.
   void set_ranges() {
     double end_s = 0.0;
     for (const Extent& e : extents_) end_s = std::max(end_s, e.end_s);
@@ -150,7 +173,8 @@ class TimeFigure {
       double low = 0.0;
       double high = 0.0;
       for (const Extent& e : extents_) {
-        if (e.spec->quantity != extents_[i].spec->quantity || e.spec->limits) continue;
+        if (e.spec->quantity != extents_[i].spec->quantity || e.spec->time_s != extents_[i].spec->time_s) continue;
+        if (e.spec->limits) continue;
         low = std::min(low, e.low);
         high = std::max(high, e.high);
       }

@@ -13,9 +13,9 @@ namespace dob {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kRowPart = 0.76;      // of a row's height that its observers share
-constexpr double kObserverPt = 5.0;    // [pt] height of an observer in a row
-constexpr double kSmallest = 1e-3;     // [mm] the logarithm needs one
+constexpr double kRowPart = 0.76;    // of a row's height that its observers share
+constexpr double kObserverPt = 5.0;  // [pt] height of an observer in a row
+constexpr double kSmallest = 1e-3;   // [mm] the logarithm needs one
 
 struct Runs {
   int runs = 0, falls = 0;
@@ -32,7 +32,8 @@ class ErrorsFigure {
       if (is_shown(observer)) observers_.push_back(observer);
     }
     for (const CellKey& key : cells.run().info.cells) {
-      const bool left_out = std::find(spec.leave_out.begin(), spec.leave_out.end(), key.scenario) != spec.leave_out.end();
+      const bool left_out =
+          std::find(spec.leave_out.begin(), spec.leave_out.end(), key.scenario) != spec.leave_out.end();
       if (!left_out && row_of(key.scenario) == scenarios_.size()) scenarios_.push_back(key.scenario);
     }
   }
@@ -45,13 +46,14 @@ class ErrorsFigure {
     figure.subtitle = fmt::format("profile {}, gains {}, planner {}; all variants and seeds", cells_.request().profile,
                                   cells_.request().gains, cells_.request().planner);
     figure.cells = {figure.subtitle};
-    figure.panels = {empty_panel("CoM error [mm]"), empty_panel("foot error [mm]"), empty_panel("falls [%]")};
+    figure.panels = {empty_panel("CoM [mm]"), empty_panel("foot [mm]"), empty_panel("falls [%]")};
     for (std::size_t k = 0; k < observers_.size(); ++k) {
       for (std::size_t m = 0; m < 2; ++m) add_errors(k, m, figure.panels[m]);
       add_falls(k, figure.panels[2]);
     }
     for (std::size_t m = 0; m < 2; ++m) set_log_range(figure.panels[m]);
-    figure.panels[2].x_range = {-6.0, 106.0};
+    figure.panels[2].x_range = {-8.0, 108.0};
+    for (FigurePanel& panel : figure.panels) add_rules(panel);
     return figure;
   }
 
@@ -88,9 +90,9 @@ class ErrorsFigure {
     if (!any) throw StoreError("no cell of these scenarios and this profile has been run");
   }
 
-  FigurePanel empty_panel(const std::string& x_axis) const {
+  FigurePanel empty_panel(const std::string& title) const {
     FigurePanel panel;
-    panel.x_axis = x_axis;
+    panel.title = title;
     panel.y_range = {0.5 - static_cast<double>(scenarios_.size()), 0.5};
     panel.height_pt =
         static_cast<double>(scenarios_.size()) * std::max(12.0, kObserverPt * static_cast<double>(observers_.size()));
@@ -143,6 +145,18 @@ class ErrorsFigure {
       falls.y.push_back(height_of(observer, row));
     }
     panel.lines.push_back(std::move(falls));
+  }
+
+  // Between the rows.
+  void add_rules(FigurePanel& panel) const {
+    FigureLine rules;
+    rules.look = {.colour = "#D5DADF", .dash = {}, .point = 1, .width = 0.7};
+    for (std::size_t row = 1; row < scenarios_.size(); ++row) {
+      const double y = 0.5 - static_cast<double>(row);
+      rules.x.insert(rules.x.end(), {panel.x_range[0], panel.x_range[1], kNone});
+      rules.y.insert(rules.y.end(), {y, y, kNone});
+    }
+    panel.lines.insert(panel.lines.begin(), std::move(rules));
   }
 
   static void set_log_range(FigurePanel& panel) {

@@ -1,5 +1,7 @@
 #include "results/figure_gnuplot.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -11,32 +13,37 @@ namespace dob {
 namespace {
 
 constexpr double kKeyFont = 7.0, kTickFont = 7.0, kNameFont = 8.0, kSubtitleFont = 5.5;  // [pt]
+constexpr double kPointSize = 0.45, kCrossSize = 0.8;
+constexpr double kXTickPt = 27.0, kYTickPt = 13.0;  // room for a number on the axis
+constexpr double kStripPart = 0.94;                 // of a panel's height, above which disturbances are marked
 constexpr const char* kSwingColour = "#E4E9EE";
-constexpr const char* kDisturbanceColour = "#FBE3B5";
+constexpr const char* kDisturbanceColour = "#E8A13A";
 constexpr const char* kFrameColour = "#444444";
 
 // What differs between the terminals: their units, and what a width of 1 is.
 struct Terminal {
   std::string line;
-  double font = 1.0;  // numbers for a size in pt
+  double font = 1.0;   // its number for a font of 1 pt
+  double point = 1.0;  // and for a point of size 1
 };
 
 Terminal terminal(FigureFormat format, double height_pt) {
   constexpr double kPx = 96.0 / 72.0;     // svg: pixels of CSS
-  constexpr double kDots = 300.0 / 72.0;  // png: 300 dpi
+  constexpr double kDots = 300.0 / 72.0;  // png: 300 dpi, of which gnuplot takes 96 for an inch of text
+  constexpr double kFont = 300.0 / 96.0;
   switch (format) {
     case FigureFormat::kSvg:
       return {fmt::format("svg size {:.0f},{:.0f} font 'sans-serif,{:.2f}' linewidth 1 background '#ffffff'",
                           kPx * kFigureWidthPt, kPx * height_pt, kPx * kNameFont),
-              kPx};
+              kPx, 1.0};
     case FigureFormat::kPdf:
       return {fmt::format("pdfcairo size {:.3f}in,{:.3f}in font 'sans,{:.2f}' linewidth 1.5", kFigureWidthPt / 72.0,
                           height_pt / 72.0, kNameFont),
-              1.0};
+              1.0, 1.0};
     case FigureFormat::kPng:
       return {fmt::format("pngcairo size {:.0f},{:.0f} font 'sans,{:.2f}' linewidth {:.3f}", kDots * kFigureWidthPt,
-                          kDots * height_pt, kDots * kNameFont, kDots * 0.75),
-              kDots};
+                          kDots * height_pt, kFont * kNameFont, kFont),
+              kFont, kFont};
   }
   return {};
 }
@@ -46,6 +53,16 @@ std::string dash_type(const std::vector<double>& dash) {
   std::string list;
   for (const double length : dash) list += fmt::format("{}{:g}", list.empty() ? "" : ",", length);
   return "(" + list + ")";
+}
+
+// 1, 2 or 5 times a power of ten: no more than `most` steps in the range.
+double nice_step(const std::array<double, 2>& range, double most) {
+  const double least = (range[1] - range[0]) / std::max(most, 1.0);
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= least) return factor * power;
+  }
+  return 10.0 * power;
 }
 
 class Script {
@@ -105,8 +122,8 @@ class Script {
   static std::string line_style(const FigureLook& look) {
     return fmt::format("lc rgb '{}' lw {:g} dt {}", look.colour, look.width, dash_type(look.dash));
   }
-  static std::string point_style(const FigureLook& look) {
-    return fmt::format("pt {} ps 0.45 lc rgb '{}' lw 1", look.point, look.colour);
+  std::string point_style(const FigureLook& look) const {
+    return fmt::format("pt {} ps {:.3f} lc rgb '{}' lw 1", look.point, kPointSize * terminal_.point, look.colour);
   }
 
   void add_panel(std::size_t i) {
@@ -121,8 +138,8 @@ class Script {
     add_axes(panel, place);
     add_titles(panel, place, letter);
     for (const FigureBand& band : panel.bands) {
-      add("set object rect from {:.7g}, graph 0 to {:.7g}, graph 1 fc rgb '{}' fs solid noborder behind", band.from,
-          band.to, band.disturbance ? kDisturbanceColour : kSwingColour);
+      add("set object rect from {:.7g}, graph {:g} to {:.7g}, graph 1 fc rgb '{}' fs solid noborder behind", band.from,
+          band.disturbance ? kStripPart : 0.0, band.to, band.disturbance ? kDisturbanceColour : kSwingColour);
     }
     for (const FigureText& text : panel.texts) {
       add("set label {} at {:.7g},{:.7g} left front", gnuplot_quoted(text.text), text.x, text.y);
@@ -138,13 +155,16 @@ class Script {
   void add_axes(const FigurePanel& panel, const PlacedPanel& place) {
     add("{} logscale x\nset xrange [{:.7g}:{:.7g}] noextend\nset yrange [{:.7g}:{:.7g}] noextend",
         panel.log_x ? "set" : "unset", panel.x_range[0], panel.x_range[1], panel.y_range[0], panel.y_range[1]);
+    const std::string x_step =
+        panel.log_x ? "autofreq" : fmt::format("{:g}", nice_step(panel.x_range, (place.right - place.left) / kXTickPt));
     if (place.x_numbers) {
-      add("set xtics autofreq format '%g' {} offset 0,0.4", font(kTickFont));
+      add("set xtics {} format '%g' {} offset 0,0.4", x_step, font(kTickFont));
     } else {
-      add("set xtics autofreq format ''");
+      add("set xtics {} format ''", x_step);
     }
     if (panel.y_ticks.empty()) {
-      add("set ytics autofreq format '%g' {} offset 0.6,0", font(kTickFont));
+      add("set ytics {:g} format '%g' {} offset 0.6,0", nice_step(panel.y_range, (place.top - place.bottom) / kYTickPt),
+          font(kTickFont));
       return;
     }
     std::string names;
@@ -168,9 +188,9 @@ class Script {
       add("set label {} at {} center rotate by 90 {}", gnuplot_quoted(panel.y_axis),
           at(6.5, 0.5 * (place.bottom + place.top)), font(kNameFont - 0.5));
     }
-    if (place.x_numbers) {
+    if (place.x_numbers && !panel.x_axis.empty()) {
       add("set label {} at {} center {}", gnuplot_quoted(panel.x_axis),
-          at(0.5 * (place.left + place.right), place.bottom - 14.0), font(kNameFont - 0.5));
+          at(0.5 * (place.left + place.right), place.bottom - 14.5), font(kNameFont - 0.5));
     }
   }
 
@@ -182,7 +202,8 @@ class Script {
     y = std::min(std::max(y, panel.y_range[0]), panel.y_range[1]);
     add("set arrow from {:.7g}, graph 0 to {:.7g}, graph 1 nohead lc rgb '{}' lw 1 dt (3,3)", *line.ended_at,
         *line.ended_at, line.look.colour);
-    add("set label '' at {:.7g},{:.7g} point pt 2 ps 0.9 lw 2 lc rgb '{}' front", *line.ended_at, y, line.look.colour);
+    add("set label '' at {:.7g},{:.7g} point pt 2 ps {:.3f} lw 1.5 lc rgb '{}' front", *line.ended_at, y,
+        kCrossSize * terminal_.point, line.look.colour);
   }
 
   void add_plot(const FigurePanel& panel, char letter) {
@@ -196,12 +217,13 @@ class Script {
     add("plot {}", parts.empty() ? "NaN notitle" : parts);
   }
 
-  static std::string style(const FigureLine& line) {
+  std::string style(const FigureLine& line) const {
     switch (line.mark) {
       case FigureMark::kPoints:
         return "with points " + point_style(line.look);
       case FigureMark::kLinePoints:
-        return fmt::format("with linespoints {} pt {} ps 0.45", line_style(line.look), line.look.point);
+        return fmt::format("with linespoints {} pt {} ps {:.3f}", line_style(line.look), line.look.point,
+                           kPointSize * terminal_.point);
       case FigureMark::kFill:
         return fmt::format("with filledcurves closed fc rgb '{}' fs solid border lc rgb '#33414E' lw 0.6",
                            line.look.colour);

@@ -6,11 +6,11 @@ namespace dob {
 namespace {
 
 // [pt]
-constexpr double kSubtitleLine = 7.0, kSubtitleCharacter = 2.75;  // text of 5.5 pt
-constexpr double kKeyLine = 10.0, kKeyCharacter = 3.7;            // text of 7 pt
+constexpr double kSubtitleLine = 7.0, kSubtitleCharacter = 3.05;  // text of 5.5 pt
+constexpr double kKeyLine = 10.0, kKeyCharacter = 3.9;            // text of 7 pt
 constexpr double kTickCharacter = 3.9;                            // text of 7 pt
 constexpr double kTitle = 12.0;                                   // above a panel
-constexpr double kXNumbers = 9.0, kXName = 10.0;                  // below it
+constexpr double kXNumbers = 9.0, kXName = 9.0;                   // below it
 constexpr double kEdge = 5.0, kYName = 10.0, kYNumbers = 17.0, kGap = 8.0;
 constexpr double kPanel = 66.0, kPanelOfTwoColumns = 46.0;
 
@@ -121,7 +121,8 @@ class Layout {
       const double x = left + static_cast<double>(i - first) * (width + gap);
       out_.panels.push_back({x, x + width, y_, y_ + height, numbers, i == first || !names});
     }
-    y_ -= numbers ? kXNumbers + kXName : 0.0;
+    y_ -= numbers ? kXNumbers : 0.0;
+    y_ -= numbers && !figure_.panels[first].x_axis.empty() ? kXName : 0.0;
   }
 
   double height_of(const FigurePanel& panel, double width) const {

@@ -16,7 +16,7 @@ struct PlacedText {
 };
 
 struct PlacedKey {
-  double x = 0.0, y = 0.0;           // [pt] left end of the sample
+  double x = 0.0, y = 0.0;  // [pt] left end of the sample
   std::string label;
   const FigureLine* line = nullptr;  // or one of the bands
   const FigureBand* band = nullptr;

@@ -28,8 +28,8 @@ double combined(const Columns& signals, const Columns& minus, std::size_t row) {
   return signals.size() == 1 ? last : std::sqrt(squares);
 }
 
-FigureSeries combine(const Trace& trace, const std::vector<std::string>& signals,
-                     const std::vector<std::string>& minus, const FigureQuantity& quantity, const std::string& leg) {
+FigureSeries combine(const Trace& trace, const std::vector<std::string>& signals, const std::vector<std::string>& minus,
+                     const FigureQuantity& quantity, const std::string& leg) {
   const Columns plus = columns_of(trace, signals, leg);
   const Columns less = columns_of(trace, minus, leg);
   const std::vector<float>* gate =

@@ -15,9 +15,9 @@ namespace {
 
 using Point = std::array<double, 2>;
 
-constexpr int kRound = 32;       // corners of what is round
-constexpr double kArrow = 0.13;  // [m] axes of frames
-constexpr double kMargin = 0.06; // [m] around the robot
+constexpr int kRound = 32;                                                           // corners of what is round
+constexpr double kArrow = 0.1, kArrowOfW = 0.2;                                      // [m] axes of frames
+constexpr double kMargin = 0.06;                                                     // [m] around the robot
 constexpr std::array<const char*, 3> kAxisColours{"#D55E00", "#009E73", "#0072B2"};  // x, y, z
 
 Point projected(const Vec3& p, int view) {
@@ -93,6 +93,7 @@ class RobotDrawing {
     panel.equal_axes = true;
     for (const Solid& solid : solids(view)) add_solid(solid, panel);
     set_range(view, panel);
+    if (view == 1) add_ground(panel);
     add_frames(view, panel);
     return panel;
   }
@@ -140,6 +141,14 @@ class RobotDrawing {
     panel.lines.push_back(std::move(line));
   }
 
+  static void add_ground(FigurePanel& panel) {
+    FigureLine ground;
+    ground.look.colour = "#888888";
+    ground.x = {panel.x_range[0], panel.x_range[1]};
+    ground.y = {0.0, 0.0};
+    panel.lines.insert(panel.lines.begin(), std::move(ground));
+  }
+
   void set_range(int view, FigurePanel& panel) const {
     panel.x_range = panel.y_range = {1e9, -1e9};
     for (const FigureLine& line : panel.lines) {
@@ -167,10 +176,10 @@ class RobotDrawing {
       const Point p = projected(at, view);
       panel.texts.push_back({p[0] + dx, p[1] + dy, words});
     };
-    add_frame(Vec3::Zero(), Mat3::Identity(), kArrow, view, panel);
+    add_frame(Vec3::Zero(), Mat3::Identity(), kArrowOfW, view, panel);
     add_frame(state_.p_WB, state_.R_WB, kArrow, view, panel);
-    text(Vec3::Zero(), "W", -0.045, view == 1 ? 0.02 : -0.04);
-    text(state_.p_WB, "B", -0.045, 0.03);
+    text(kArrowOfW * Vec3::UnitX(), "W", 0.012, 0.0);
+    text(state_.p_WB + kArrow * state_.R_WB.col(0), "B", 0.012, view == 1 ? 0.0 : 0.022);
     FigureLine com;
     com.mark = FigureMark::kPoints;
     com.look.point = 7;
@@ -178,7 +187,7 @@ class RobotDrawing {
     com.x = {c[0]};
     com.y = {c[1]};
     panel.lines.push_back(com);
-    text(com_, "CoM", 0.02, -0.04);
+    text(com_, "CoM", -0.1, view == 1 ? -0.002 : 0.0);
     for (std::size_t l = 0; l < kLegs; ++l) {
       if (view == 1 && l % 2 == 0) continue;  // behind the right ones
       text(feet_[l], std::string(kLegNames[l]), 0.04, 0.0);

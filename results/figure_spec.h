@@ -12,17 +12,17 @@ namespace dob {
 // A value over time, made of a trace's signals. `$` in the texts stands for the leg of the panel.
 struct FigureQuantity {
   std::string id;
-  std::string axis;                   // label of the axis, with the unit
-  double scale = 1.0;                 // from the signals' unit to the axis'
-  std::vector<std::string> signals;   // one: its value; several: their Euclidean norm
-  std::vector<std::string> minus;     // taken from the signals one by one before that; or empty
-  std::vector<std::string> truth;     // what the signals estimate, combined in the same way; or empty
-  std::string while_signal;           // only where this signal is not zero; "": everywhere
+  std::string axis;                  // label of the axis, with the unit
+  double scale = 1.0;                // from the signals' unit to the axis'
+  std::vector<std::string> signals;  // one: its value; several: their Euclidean norm
+  std::vector<std::string> minus;    // taken from the signals one by one before that; or empty
+  std::vector<std::string> truth;    // what the signals estimate, combined in the same way; or empty
+  std::string while_signal;          // only where this signal is not zero; "": everywhere
 };
 
 struct FigurePanelSpec {
-  std::string quantity;                        // id
-  std::string leg;                             // "" where the quantity has no leg
+  std::string quantity;  // id
+  std::string leg;       // "" where the quantity has no leg
   std::string title;
   std::vector<std::string> cells;              // as FigureSpec::cells; empty: those of the figure
   std::vector<std::string> observers, labels;  // empty: those of the figure, under their names
@@ -40,8 +40,8 @@ enum class FigureKind {
 };
 
 struct FigureSpec {
-  std::string id;       // name of its files
-  std::string paper;    // number in the paper; "": has none
+  std::string id;     // name of its files
+  std::string paper;  // number in the paper; "": has none
   std::string caption;
   std::string note;
   FigureKind kind = FigureKind::kTime;

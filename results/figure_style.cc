@@ -5,13 +5,16 @@
 namespace dob {
 namespace {
 
-const std::vector<double> kSolid{}, kDashed{5, 2}, kDotted{1.5, 1.5}, kDashDot{6, 2, 1.5, 2}, kLongDash{9, 2};
+const std::vector<double> kSolid{}, kDashed{5, 2}, kDotted{2, 2}, kDashDot{6, 2, 1.5, 2}, kLongDash{9, 2};
 
 const std::map<std::string, FigureLook>& own_looks() {
   static const std::map<std::string, FigureLook> looks{
-      {"none", {"#777777", kDotted, 2}},           {"momentum", {"#0072B2", kSolid, 7}},
-      {"com_wrench", {"#E69F00", kDashed, 9}},     {"nonlinear_dob", {"#009E73", kDashDot, 5}},
-      {"momentum_com", {"#D55E00", kLongDash, 13}}, {"oracle_full", {"#000000", kDashed, 1}},
+      {"none", {"#777777", kDotted, 2}},
+      {"momentum", {"#0072B2", kSolid, 7}},
+      {"com_wrench", {"#E69F00", kDashed, 9}},
+      {"nonlinear_dob", {"#009E73", kDashDot, 5}},
+      {"momentum_com", {"#D55E00", kLongDash, 13}},
+      {"oracle_full", {"#000000", kDashed, 1}},
   };
   return looks;
 }

@@ -57,7 +57,8 @@ std::map<std::string, Curves> curves_of(const FigureSpec& spec, const FigureCell
     const bool left_out = std::find(spec.leave_out.begin(), spec.leave_out.end(), key.scenario) != spec.leave_out.end();
     const std::vector<std::string>& wanted = cells.request().observers;
     const bool wished_for = wanted.empty() || std::find(wanted.begin(), wanted.end(), key.observer) != wanted.end();
-    if (source == sources.end() || left_out || !wished_for || cell.outcome == Outcome::kError || !cells.shown(key, "")) {
+    if (source == sources.end() || left_out || !wished_for || cell.outcome == Outcome::kError ||
+        !cells.shown(key, "")) {
       continue;
     }
     auto known = amplitudes.find(source->second);
@@ -116,7 +117,8 @@ Figure survival_figure(const FigureSpec& spec, const FigureCells& cells) {
     if (has_several_amplitudes(curves)) figure.panels.push_back(panel_of(title, curves, cells.observers()));
   }
   if (figure.panels.empty()) {
-    throw StoreError("no scenario of this run has cells with several amplitudes (docs/figures.md says how to make them)");
+    throw StoreError(
+        "no scenario of this run has cells with several amplitudes (docs/figures.md says how to make them)");
   }
   return figure;
 }

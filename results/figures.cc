@@ -54,8 +54,9 @@ std::string drawn_row(const MadeFigure& made, FigureFormat format) {
   const std::string file = fmt::format("{}.{}", made.spec->id, to_string(format));
   std::vector<std::string> notes = made.figure->notes;
   if (!made.spec->note.empty()) notes.insert(notes.begin(), made.spec->note);
-  return fmt::format("| {} | [{}]({}) | {} | {} | {} |\n", made.spec->paper.empty() ? "-" : made.spec->paper, file, file,
-                     cell_text(made.spec->caption), cell_text(fmt::format("{}", fmt::join(made.figure->cells, "; "))),
+  return fmt::format("| {} | [{}]({}) | {} | {} | {} |\n", made.spec->paper.empty() ? "-" : made.spec->paper, file,
+                     file, cell_text(made.spec->caption),
+                     cell_text(fmt::format("{}", fmt::join(made.figure->cells, "; "))),
                      cell_text(fmt::format("{}", fmt::join(notes, "; "))));
 }
 
@@ -113,8 +114,8 @@ std::string figure_index(const std::vector<MadeFigure>& figures, FigureFormat fo
     if (made.figure) {
       text += drawn_row(made, format);
     } else {
-      missing += fmt::format("| {} | {} | {} | {} |\n", made.spec->paper.empty() ? "-" : made.spec->paper, made.spec->id,
-                             cell_text(made.spec->caption), cell_text(made.reason));
+      missing += fmt::format("| {} | {} | {} | {} |\n", made.spec->paper.empty() ? "-" : made.spec->paper,
+                             made.spec->id, cell_text(made.spec->caption), cell_text(made.reason));
     }
   }
   if (!missing.empty()) text += "\n## Not drawn\n\n| paper | figure | caption | why |\n|---|---|---|---|\n" + missing;
