@@ -116,7 +116,7 @@ class Script {
         add("set label '' at {} point {}", at(key.x + 0.5 * kKeySamplePt, key.y), point_style(key.line->look));
       }
     }
-    add("set label {} at {} left {}", gnuplot_quoted(key.label), at(end + 4.0, key.y), font(kKeyFont));
+    add("set label {} at {} left {}", gnuplot_quoted(key.label), at(end + 3.0, key.y), font(kKeyFont));
   }
 
   static std::string line_style(const FigureLook& look) {

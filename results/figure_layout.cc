@@ -6,8 +6,8 @@ namespace dob {
 namespace {
 
 // [pt]
-constexpr double kSubtitleLine = 7.0, kSubtitleCharacter = 3.05;  // text of 5.5 pt
-constexpr double kKeyLine = 10.0, kKeyCharacter = 3.9;            // text of 7 pt
+constexpr double kSubtitleLine = 7.0, kSubtitleCharacter = 3.15;  // text of 5.5 pt
+constexpr double kKeyLine = 10.0, kKeyCharacter = 4.2;            // text of 7 pt
 constexpr double kTickCharacter = 3.9;                            // text of 7 pt
 constexpr double kTitle = 12.0;                                   // above a panel
 constexpr double kXNumbers = 9.0, kXName = 9.0;                   // below it
@@ -79,7 +79,7 @@ class Layout {
     y_ -= 2.0;
     double x = kFigureWidthPt;
     for (PlacedKey& key : out_.key) {
-      const double width = kKeySamplePt + 4.0 + kKeyCharacter * static_cast<double>(key.label.size()) + 8.0;
+      const double width = kKeySamplePt + 3.0 + kKeyCharacter * static_cast<double>(key.label.size()) + 6.0;
       if (x + width > kFigureWidthPt) {
         x = kEdge;
         y_ -= kKeyLine;

@@ -35,7 +35,7 @@ struct FigureLayout {
   std::vector<PlacedPanel> panels;   // of the figure's
 };
 
-inline constexpr double kKeySamplePt = 16.0;
+inline constexpr double kKeySamplePt = 14.0;
 
 FigureLayout layout(const Figure& figure);
 
