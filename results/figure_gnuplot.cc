@@ -37,9 +37,9 @@ Terminal terminal(FigureFormat format, double height_pt) {
                           kPx * kFigureWidthPt, kPx * height_pt, kPx * kNameFont),
               kPx, 1.0};
     case FigureFormat::kPdf:
-      return {fmt::format("pdfcairo size {:.3f}in,{:.3f}in font 'sans,{:.2f}' linewidth 1.5", kFigureWidthPt / 72.0,
+      return {fmt::format("pdfcairo size {:.3f}in,{:.3f}in font 'sans,{:.2f}' fontscale 1 linewidth 1.5", kFigureWidthPt / 72.0,
                           height_pt / 72.0, kNameFont),
-              1.0, 1.0};
+              1.0, 0.75};
     case FigureFormat::kPng:
       return {fmt::format("pngcairo size {:.0f},{:.0f} font 'sans,{:.2f}' linewidth {:.3f}", kDots * kFigureWidthPt,
                           kDots * height_pt, kFont * kNameFont, kFont),

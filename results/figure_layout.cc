@@ -7,7 +7,7 @@ namespace {
 
 // [pt]
 constexpr double kSubtitleLine = 7.0, kSubtitleCharacter = 3.15;  // text of 5.5 pt
-constexpr double kKeyLine = 10.0, kKeyCharacter = 4.2;            // text of 7 pt
+constexpr double kKeyLine = 10.0, kKeyCharacter = 4.6;            // text of 7 pt
 constexpr double kTickCharacter = 3.9;                            // text of 7 pt
 constexpr double kTitle = 12.0;                                   // above a panel
 constexpr double kXNumbers = 9.0, kXName = 9.0;                   // below it

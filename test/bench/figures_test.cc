@@ -1,5 +1,7 @@
 // `dobbench figures` as a user starts it.
+#include <cstdlib>
 #include <filesystem>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -51,8 +53,10 @@ TEST_F(FiguresCommand, DrawsEveryFormat) {
 
 TEST_F(FiguresCommand, WithoutGnuplotScriptsAndDataAreThereAndTheErrorNamesThePackage) {
   run_case1();
+  const std::string path = std::getenv("PATH");
   ::setenv("PATH", dir.c_str(), 1);  // where there is none
   const Answer without = dobbench("figures run --out figures");
+  ::setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(without.exit_code, 2);
   EXPECT_THAT(without.err, HasSubstr("gnuplot-nox"));
   EXPECT_TRUE(fs::exists(dir / "figures/fig05.gp"));

@@ -17,7 +17,7 @@ template <typename... Value>
 Trace trace_of(std::size_t rows, const std::pair<const char*, Value>&... columns) {
   Trace trace{100.0, {"t_s"}, {{}}};
   for (std::size_t i = 0; i < rows; ++i) trace.columns[0].push_back(0.01F * static_cast<float>(i));
-  const auto add = [&](const char* name, auto value) {
+  [[maybe_unused]] const auto add = [&](const char* name, auto value) {
     trace.names.emplace_back(name);
     trace.columns.emplace_back();
     for (const float t : trace.columns[0]) trace.columns.back().push_back(static_cast<float>(value(t)));

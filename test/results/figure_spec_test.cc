@@ -1,6 +1,7 @@
 #include "results/figure_spec.h"
 
 #include <map>
+#include <regex>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -32,6 +33,18 @@ TEST(ShippedFigures, HaveACaptionAndWhatTheyShow) {
 TEST(WithLeg, ReplacesEveryDollar) {
   EXPECT_EQ(with_leg("$/foot of $", "LF"), "LF/foot of LF");
   EXPECT_EQ(with_leg("com", "LF"), "com");
+}
+
+TEST(BlockDiagram, NamesFilesThatAreThere) {
+  const std::filesystem::path root = DOB_SOURCE_DIR;
+  std::string text = test::read_text(root / "docs" / "block-diagram.svg");
+  text = std::regex_replace(text, std::regex("controller/</text><text[^>]*>"), "controller/");  // on two lines
+  const std::regex file(R"([a-z_]+/[a-z_]+\.(cc|h)\b)");
+  int named = 0;
+  for (std::sregex_iterator found(text.begin(), text.end(), file), end; found != end; ++found, ++named) {
+    EXPECT_TRUE(std::filesystem::is_regular_file(root / found->str())) << found->str();
+  }
+  EXPECT_GE(named, 12);
 }
 
 class FiguresFile : public ::testing::Test {
