@@ -85,6 +85,10 @@ FigureCell FigureCells::find(const std::vector<std::string>& scenarios, const st
     if (cell->trace.empty()) throw StoreError(name + ": its time series was not kept (`dobbench run --keep`)");
     return {&*cell, &trace(*cell)};
   }
+  const bool any = std::any_of(run_.info.cells.begin(), run_.info.cells.end(), [&](const CellKey& key) {
+    return std::any_of(scenarios.begin(), scenarios.end(), [&](const auto& name) { return is_scenario(key, name); });
+  });
+  if (!any) throw StoreError(fmt::format("{}: not part of the run", fmt::join(scenarios, " or ")));
   throw StoreError(fmt::format("{}, {}: not part of the run with profile {}, gains {}, planner {}",
                                fmt::join(scenarios, " or "), observer, profile.empty() ? request_.profile : profile,
                                request_.gains, request_.planner));
