@@ -86,6 +86,16 @@ class TimeFigure {
     extents_.push_back(extent);
   }
 
+  // What `read` gets from the cell's trace; an error names it.
+  template <typename Read>
+  static auto from_trace(const FigureCell& cell, Read read) {
+    try {
+      return read(*cell.trace);
+    } catch (const StoreError& error) {
+      throw StoreError(fmt::format("{}: {}", cell.cell->trace, error.what()));
+    }
+  }
+
   // Those of the observers that have something to show; why others have not goes to the notes.
   std::vector<Shown> find_cells(const FigurePanelSpec& spec, const FigureQuantity& quantity,
                                 const std::vector<std::string>& observers) {
@@ -93,8 +103,10 @@ class TimeFigure {
     for (std::size_t i = 0; i < observers.size(); ++i) {
       try {
         const FigureCell cell = cells_.find(spec.cells.empty() ? spec_.cells : spec.cells, observers[i], spec_.profile);
-        all.push_back({cell, shown_part(spec, quantity, series_of(*cell.trace, quantity, spec.leg), cell),
-                       spec.labels.empty() ? observers[i] : spec.labels[i]});
+        const FigureSeries series =
+            from_trace(cell, [&](const Trace& trace) { return series_of(trace, quantity, spec.leg); });
+        all.push_back(
+            {cell, shown_part(spec, quantity, series, cell), spec.labels.empty() ? observers[i] : spec.labels[i]});
       } catch (const StoreError& missing) {
         add_once(figure_.notes, missing.what());
       }
@@ -105,12 +117,16 @@ class TimeFigure {
   // What is the same for all observers, from the trial that lasted longest.
   void add_background(const FigurePanelSpec& spec, const FigureQuantity& quantity, const FigureCell& cell,
                       FigurePanel& panel, Extent& extent) const {
-    if (spec.shade_swing) panel.bands = shown_bands(spec, swings_of(*cell.trace, spec.leg));
+    if (spec.shade_swing) {
+      panel.bands = shown_bands(spec, from_trace(cell, [&](const Trace& trace) { return swings_of(trace, spec.leg); }));
+    }
     if (spec.shade_disturbance) {
-      for (const FigureBand& band : shown_bands(spec, disturbances_of(*cell.trace))) panel.bands.push_back(band);
+      for (const FigureBand& band : shown_bands(spec, from_trace(cell, disturbances_of))) panel.bands.push_back(band);
     }
     if (quantity.truth.empty()) return;
-    const FigureSeries truth = shown_part(spec, quantity, truth_of(*cell.trace, quantity, spec.leg), cell);
+    const FigureSeries truth =
+        shown_part(spec, quantity,
+                   from_trace(cell, [&](const Trace& trace) { return truth_of(trace, quantity, spec.leg); }), cell);
     add_line(truth, cell, "true", truth_look(), panel, extent);
   }
 

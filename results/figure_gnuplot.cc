@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -37,8 +38,8 @@ Terminal terminal(FigureFormat format, double height_pt) {
                           kPx * kFigureWidthPt, kPx * height_pt, kPx * kNameFont),
               kPx, 1.0};
     case FigureFormat::kPdf:
-      return {fmt::format("pdfcairo size {:.3f}in,{:.3f}in font 'sans,{:.2f}' fontscale 1 linewidth 1.5", kFigureWidthPt / 72.0,
-                          height_pt / 72.0, kNameFont),
+      return {fmt::format("pdfcairo size {:.3f}in,{:.3f}in font 'sans,{:.2f}' fontscale 1 linewidth 1.5",
+                          kFigureWidthPt / 72.0, height_pt / 72.0, kNameFont),
               1.0, 0.75};
     case FigureFormat::kPng:
       return {fmt::format("pngcairo size {:.0f},{:.0f} font 'sans,{:.2f}' linewidth {:.3f}", kDots * kFigureWidthPt,
@@ -276,13 +277,20 @@ GnuplotFiles gnuplot_files(const Figure& figure, FigureFormat format) {
   return Script(figure, format).build();
 }
 
+// Not in single quotes: of '' at the beginning of a string gnuplot 5.4 makes an empty one.
 std::string gnuplot_quoted(const std::string& text) {
-  std::string quoted = "'";
+  constexpr std::string_view kSpecial = "\"'\\`$@";
+  std::string quoted = "\"";
   for (const char c : text) {
-    if (c == '\'') quoted += '\'';
-    quoted += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? ' ' : c;
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
+      quoted += ' ';
+    } else if (kSpecial.find(c) != std::string_view::npos) {
+      fmt::format_to(std::back_inserter(quoted), "\\{:03o}", c);
+    } else {
+      quoted += c;
+    }
   }
-  return quoted + "'";
+  return quoted + "\"";
 }
 
 }  // namespace dob

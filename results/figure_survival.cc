@@ -92,6 +92,7 @@ FigurePanel panel_of(const std::string& title, const Curves& curves, const std::
     const auto curve = curves.find(observer);
     if (curve == curves.end()) continue;
     FigureLine line{observer, looks.at(observer), FigureMark::kLinePoints, {}, {}, {}};
+    line.look.width = std::max(0.8, 2.4 - 0.4 * static_cast<double>(panel.lines.size()));  // equal ones show below
     for (const auto& [amplitude, count] : curve->second) {
       line.x.push_back(amplitude);
       line.y.push_back(100.0 * count.survived / count.runs);

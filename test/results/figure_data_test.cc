@@ -13,6 +13,7 @@ using std::pair;
 using test::FigureRun;
 using test::key;
 using test::trace_of;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -93,7 +94,7 @@ TEST_F(TimeFigureTest, ADamagedOrOlderTraceIsNamed) {
   spec.observers = {"momentum"};
   const CellResult& cell = files.add(test::survived(key("case1", "knee", "momentum", "tuned", 1), 0.01),
                                      trace_of(9, pair("y", [](float) { return 1; })));
-  EXPECT_THAT(error(), HasSubstr("no column 'x'"));
+  EXPECT_THAT(error(), AllOf(HasSubstr("no column 'x'"), HasSubstr(cell.trace)));
   std::filesystem::resize_file(files.dir() / cell.trace, 40);
   EXPECT_THAT(error(), HasSubstr(cell.trace));
 }

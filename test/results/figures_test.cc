@@ -31,14 +31,15 @@ Figure one_line(const std::string& label, std::vector<double> y) {
 }
 
 TEST(GnuplotQuoted, NothingEndsTheTextBeforeItsEnd) {
-  EXPECT_EQ(gnuplot_quoted("a_b@c^{d}"), "'a_b@c^{d}'");
-  EXPECT_EQ(gnuplot_quoted("it's; system('x')"), "'it''s; system(''x'')'");
-  EXPECT_EQ(gnuplot_quoted("two\nlines\r\t"), "'two lines  '");
+  EXPECT_EQ(gnuplot_quoted("a_b@c^{d}"), R"("a_b\100c^{d}")");
+  EXPECT_EQ(gnuplot_quoted("it's; system('x')"), R"q("it\047s; system(\047x\047)")q");
+  EXPECT_EQ(gnuplot_quoted("a\"b\\ `c` $d"), R"q("a\042b\134 \140c\140 \044d")q");
+  EXPECT_EQ(gnuplot_quoted("two\nlines\r\t"), R"("two lines  ")");
 }
 
 TEST(GnuplotFiles, AGapInALineIsABlankLine) {
   const GnuplotFiles files = gnuplot_files(one_line("a", {1, std::numeric_limits<double>::quiet_NaN(), 3}), {});
-  EXPECT_EQ(files.data, "# (a) 'a'\n0 1\n\n2 3\n");
+  EXPECT_EQ(files.data, "# (a) \"a\"\n0 1\n\n2 3\n");
 }
 
 TEST(GnuplotFiles, AreTheSameForTheSameFigure) {
@@ -52,7 +53,7 @@ TEST(GnuplotFiles, AreTheSameForTheSameFigure) {
 
 TEST(GnuplotFiles, ANewLineInANameStaysInItsComment) {
   const GnuplotFiles files = gnuplot_files(one_line("a\n1 2", {5}), {});
-  EXPECT_EQ(files.data, "# (a) 'a 1 2'\n0 5\n");
+  EXPECT_EQ(files.data, "# (a) \"a 1 2\"\n0 5\n");
 }
 
 TEST(Figures, WhatIsMissingIsListedWithTheReason) {
