@@ -29,12 +29,13 @@ paper: build
 	build/bin/dobbench table $(PAPER_OUT)/tuned --claims --recorded $(PAPER_OUT)/profiles
 	build/bin/dobbench table $(PAPER_OUT)/profiles --claims --recorded $(PAPER_OUT)/tuned
 
-# The tables of a run directory as files: make publish RUN=dobbench-results/0001 TO=results/published/paper-set
+# The tables and figures of a run directory as files: make publish RUN=dobbench-results/0001 TO=results/published/paper-set
 publish: build
 	mkdir -p $(TO)
 	for format in md csv json; do \
 	  build/bin/dobbench table $(RUN) --format $$format > $(TO)/table.$$format && \
 	  build/bin/dobbench table $(RUN) --claims --format $$format > $(TO)/claims.$$format || exit $$?; done
+	build/bin/dobbench figures $(RUN) --out $(TO)/figures && rm $(TO)/figures/*.gp $(TO)/figures/*.dat
 
 # The full product of scenarios, observers, profiles, gain sets and planners: a day and more.
 EVERYTHING_OUT ?= dobbench-results/everything

@@ -27,6 +27,7 @@ BatchRequest request_of_run(const std::filesystem::path& dir);
 Command add_analyse_command(CLI::App& app);
 Command add_check_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
+Command add_figures_command(CLI::App& app);
 Command add_list_command(CLI::App& app);
 Command add_report_command(CLI::App& app);
 Command add_run_command(CLI::App& app, const std::string& command_line);

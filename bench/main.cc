@@ -26,6 +26,7 @@ int run(int argc, char** argv) {
       {"analyse", dob::add_analyse_command(app)},
       {"check", dob::add_check_command(app)},
       {"compare", dob::add_compare_command(app)},
+      {"figures", dob::add_figures_command(app)},
       {"list", dob::add_list_command(app)},
       {"report", dob::add_report_command(app)},
       {"run", dob::add_run_command(app, command_line(argc, argv))},

@@ -1,0 +1,108 @@
+#include "results/figure_cells.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace dob {
+namespace {
+
+constexpr const char* kNoProfile = "-";  // of an observer that has none
+
+// `wish`, else `favourite` if the run has it, else its first value.
+std::string chosen(const Run& run, std::string CellKey::*member, const std::string& wish, const std::string& favourite,
+                   const std::string& what) {
+  std::vector<std::string> values;
+  for (const CellKey& key : run.info.cells) {
+    const std::string& value = key.*member;
+    if (value != kNoProfile && std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+  }
+  const auto has = [&](const std::string& value) {
+    return std::find(values.begin(), values.end(), value) != values.end();
+  };
+  if (!wish.empty() && !has(wish)) {
+    throw StoreError(fmt::format("--{} {}: the run has {}", what, wish, fmt::join(values, ", ")));
+  }
+  if (!wish.empty()) return wish;
+  return has(favourite) ? favourite : values.empty() ? kNoProfile : values.front();
+}
+
+bool is_scenario(const CellKey& key, const std::string& name) {
+  return name == (key.variant.empty() ? key.scenario : key.scenario + "/" + key.variant);
+}
+
+}  // namespace
+
+FigureCells::FigureCells(const std::filesystem::path& dir, Run run, const FigureRequest& request)
+    : dir_(dir), run_(std::move(run)), request_(request) {
+  request_.profile = chosen(run_, &CellKey::profile, request.profile, "tuned", "profile");
+  request_.gains = chosen(run_, &CellKey::gains, request.gains, "paper", "gains");
+  request_.planner = chosen(run_, &CellKey::planner, request.planner, "", "planner");
+  const std::vector<std::string> known = observers();
+  for (const std::string& observer : request_.observers) {
+    if (std::find(known.begin(), known.end(), observer) == known.end()) {
+      throw StoreError(fmt::format("--observer {}: the run has {}", observer, fmt::join(known, ", ")));
+    }
+  }
+}
+
+std::vector<std::string> FigureCells::observers(const std::vector<std::string>& leave_out) const {
+  std::vector<std::string> names;
+  for (const CellKey& key : run_.info.cells) {
+    if (std::find(leave_out.begin(), leave_out.end(), key.scenario) != leave_out.end()) continue;
+    if (std::find(names.begin(), names.end(), key.observer) == names.end()) names.push_back(key.observer);
+  }
+  return names;
+}
+
+bool FigureCells::shown(const CellKey& key, const std::string& profile) const noexcept {
+  const std::string& wanted = profile.empty() ? request_.profile : profile;
+  return (key.profile == wanted || key.profile == kNoProfile) && key.gains == request_.gains &&
+         key.planner == request_.planner;
+}
+
+const CellKey* FigureCells::planned(const std::string& scenario, const std::string& observer,
+                                    const std::string& profile) const {
+  const CellKey* best = nullptr;
+  for (const CellKey& key : run_.info.cells) {
+    if (!is_scenario(key, scenario) || key.observer != observer || !shown(key, profile)) continue;
+    if (best == nullptr || (key.overrides == best->overrides && key.seed < best->seed)) best = &key;
+  }
+  return best;
+}
+
+FigureCell FigureCells::find(const std::vector<std::string>& scenarios, const std::string& observer,
+                             const std::string& profile) {
+  for (const std::string& scenario : scenarios) {
+    const CellKey* key = planned(scenario, observer, profile);
+    if (key == nullptr) continue;
+    const auto cell =
+        std::find_if(run_.cells.begin(), run_.cells.end(), [&](const CellResult& c) { return c.key == *key; });
+    const std::string name = fmt::format("{}, {}", scenario, observer);
+    if (cell == run_.cells.end()) throw StoreError(name + ": has not been run yet");
+    if (cell->outcome == Outcome::kError) throw StoreError(fmt::format("{}: could not be run: {}", name, cell->reason));
+    if (cell->trace.empty()) throw StoreError(name + ": its time series was not kept (`dobbench run --keep`)");
+    return {&*cell, &trace(*cell)};
+  }
+  const bool any = std::any_of(run_.info.cells.begin(), run_.info.cells.end(), [&](const CellKey& key) {
+    return std::any_of(scenarios.begin(), scenarios.end(), [&](const auto& name) { return is_scenario(key, name); });
+  });
+  if (!any) throw StoreError(fmt::format("{}: not part of the run", fmt::join(scenarios, " or ")));
+  throw StoreError(fmt::format("{}, {}: not part of the run with profile {}, gains {}, planner {}",
+                               fmt::join(scenarios, " or "), observer, profile.empty() ? request_.profile : profile,
+                               request_.gains, request_.planner));
+}
+
+const Trace& FigureCells::trace(const CellResult& cell) {
+  const auto found = traces_.find(cell.trace);
+  if (found != traces_.end()) return found->second;
+  Trace read = read_trace(dir_ / cell.trace);
+  for (const auto& column : read.columns) {
+    if (column.size() != read.rows()) throw StoreError(fmt::format("{}: its data are damaged", cell.trace));
+  }
+  if (read.rows() == 0) throw StoreError(fmt::format("{}: has no samples", cell.trace));
+  return traces_.emplace(cell.trace, std::move(read)).first->second;
+}
+
+}  // namespace dob
