@@ -13,9 +13,10 @@ namespace dob {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kRowPart = 0.76;    // of a row's height that its observers share
-constexpr double kObserverPt = 5.0;  // [pt] height of an observer in a row
-constexpr double kSmallest = 1e-3;   // [mm] the logarithm needs one
+constexpr double kRowPart = 0.76;     // of a row's height that its observers share
+constexpr double kObserverPt = 5.0;   // [pt] height of an observer in a row, less where they are many
+constexpr double kLongestPt = 480.0;  // [pt] height of the panels, half a page and more
+constexpr double kSmallest = 1e-3;    // [mm] the logarithm needs one
 
 struct Runs {
   int runs = 0, falls = 0;
@@ -94,8 +95,8 @@ class ErrorsFigure {
     FigurePanel panel;
     panel.title = title;
     panel.y_range = {0.5 - static_cast<double>(scenarios_.size()), 0.5};
-    panel.height_pt =
-        static_cast<double>(scenarios_.size()) * std::max(12.0, kObserverPt * static_cast<double>(observers_.size()));
+    const auto rows = static_cast<double>(scenarios_.size());
+    panel.height_pt = std::min(kLongestPt, rows * std::max(12.0, kObserverPt * static_cast<double>(observers_.size())));
     for (std::size_t row = 0; row < scenarios_.size(); ++row) {
       panel.y_ticks.push_back({-static_cast<double>(row), scenarios_[row]});
     }

@@ -19,8 +19,8 @@ struct GnuplotFiles {
 // The same figure gives the same bytes. Texts from anywhere are quoted: none can become a command.
 GnuplotFiles gnuplot_files(const Figure& figure, FigureFormat format);
 
-// The text as one of gnuplot's double-quoted strings, with octal numbers for what is special in them; control characters
-// become blanks.
+// The text as one of gnuplot's double-quoted strings, with octal numbers for what is special in them; control
+// characters become blanks.
 std::string gnuplot_quoted(const std::string& text);
 
 }  // namespace dob

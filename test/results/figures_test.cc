@@ -1,8 +1,5 @@
 #include "results/figures.h"
 
-#include <algorithm>
-#include <limits>
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,45 +13,6 @@ using test::FigureRun;
 using test::key;
 using ::testing::HasSubstr;
 using ::testing::Not;
-
-Figure one_line(const std::string& label, std::vector<double> y) {
-  Figure figure;
-  figure.id = "f";
-  figure.panels.emplace_back();
-  figure.panels[0].x_range = figure.panels[0].y_range = {0.0, 10.0};
-  FigureLine line;
-  line.label = label;
-  line.y = std::move(y);
-  for (std::size_t i = 0; i < line.y.size(); ++i) line.x.push_back(static_cast<double>(i));
-  figure.panels[0].lines = {line};
-  return figure;
-}
-
-TEST(GnuplotQuoted, NothingEndsTheTextBeforeItsEnd) {
-  EXPECT_EQ(gnuplot_quoted("a_b@c^{d}"), R"("a_b\100c^{d}")");
-  EXPECT_EQ(gnuplot_quoted("it's; system('x')"), R"q("it\047s; system(\047x\047)")q");
-  EXPECT_EQ(gnuplot_quoted("a\"b\\ `c` $d"), R"q("a\042b\134 \140c\140 \044d")q");
-  EXPECT_EQ(gnuplot_quoted("two\nlines\r\t"), R"("two lines  ")");
-}
-
-TEST(GnuplotFiles, AGapInALineIsABlankLine) {
-  const GnuplotFiles files = gnuplot_files(one_line("a", {1, std::numeric_limits<double>::quiet_NaN(), 3}), {});
-  EXPECT_EQ(files.data, "# (a) \"a\"\n0 1\n\n2 3\n");
-}
-
-TEST(GnuplotFiles, AreTheSameForTheSameFigure) {
-  for (const FigureFormat format : {FigureFormat::kSvg, FigureFormat::kPdf, FigureFormat::kPng}) {
-    const GnuplotFiles a = gnuplot_files(one_line("a", {1, 2}), format);
-    const GnuplotFiles b = gnuplot_files(one_line("a", {1, 2}), format);
-    EXPECT_EQ(a.script, b.script);
-    EXPECT_THAT(a.script, HasSubstr("set output 'f." + to_string(format)));
-  }
-}
-
-TEST(GnuplotFiles, ANewLineInANameStaysInItsComment) {
-  const GnuplotFiles files = gnuplot_files(one_line("a\n1 2", {5}), {});
-  EXPECT_EQ(files.data, "# (a) \"a 1 2\"\n0 5\n");
-}
 
 TEST(Figures, WhatIsMissingIsListedWithTheReason) {
   FigureRun run;
