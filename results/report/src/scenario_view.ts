@@ -100,6 +100,7 @@ export class ScenarioView {
       { id: "balance", text: "Balance", panel: panel([groundFigure(this.context), ...balanceFigures(this.context)]) },
       { id: "timing", text: "Timing", panel: timing },
     ];
-    return h("div", {}, tabList("Plots", tabs, "plot-tabs"), ...tabs.map((tab) => tab.panel));
+    const hint = "Click: cursor. Drag: zoom, in all plots over time. Double click: all again. Names in a legend switch lines on and off.";
+    return h("div", {}, tabList("Plots", tabs, "plot-tabs"), h("p", { class: "note hint" }, hint), ...tabs.map((tab) => tab.panel));
   }
 }
