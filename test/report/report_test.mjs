@@ -269,14 +269,33 @@ test("the picture of the replay can be saved", async () => {
   const replay = new ReplayPart(page);
   await replay.ready();
   await replay.seek(3);
-  const [download] = await Promise.all([page.waitForEvent("download"), replay.root.getByRole("button", { name: "Save picture" }).click()]);
   const path = join(shots, "replay-saved.png");
-  await download.saveAs(path);
+  const name = await replay.savePicture(path);
   const png = readFileSync(path);
   assert.equal(png.subarray(1, 4).toString(), "PNG");
-  assert.match(download.suggestedFilename(), /case1_no_swing.*3\.00s\.png$/);
+  assert.match(name, /case1_no_swing.*3\.00s\.png$/);
   assert.ok(png.readUInt32BE(16) > 300 && png.length > 20_000, "it is not empty");
   await shot(page, "replay");
+});
+
+test("without swing compensation the pushed foot lands beside its planned foothold, as in the paper's Fig. 4", async () => {
+  const page = await open({ width: 1400, height: 900 });
+  const replay = new ReplayPart(page);
+  const [pictures, drifts] = [[], []];
+  for (const scenario of ["case1/tip_lateral", "case1_no_swing/tip_lateral"]) {
+    await choose(page, scenario);
+    await replay.ready();
+    await page.getByTestId("replay-first").selectOption("momentum@tuned");
+    await page.waitForFunction((s) => document.querySelector("#replay canvas")?.ariaLabel.includes(`${s}: momentum@tuned`), scenario);
+    await replay.root.getByLabel("Camera").selectOption("front");
+    await replay.seek(1.28); // the force is near its first peak, the foot near the ground
+    pictures.push(await replay.shot());
+    await replay.savePicture(join(shots, `drift-${scenario.split("/")[0]}.png`));
+    await openTab(page, "feet");
+    drifts.push((await assertHasData(page, "foot_error")).find((line) => line.name === "momentum@tuned").high);
+  }
+  assert.ok(drifts[0] < 10 && drifts[1] > 25, `largest errors of LF: ${drifts} mm`);
+  assert.ok((await difference(page, ...pictures)) > 0.002);
 });
 
 test("a plot can be saved as SVG", async () => {
