@@ -30,6 +30,12 @@ export function replaceContent(element: Element, ...children: Child[]): void {
   append(element, children);
 }
 
+// A name that may break after its separators.
+export function breakable(name: string): HTMLSpanElement {
+  const parts = name.split(/(?<=[_,:;=/])/);
+  return h("span", {}, ...parts.flatMap((part, i) => (i === 0 ? [part] : [h("wbr"), part])));
+}
+
 function append(element: Element, children: Child[]): void {
   for (const child of children) {
     if (child !== null && child !== undefined && child !== false) element.append(child);

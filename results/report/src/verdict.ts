@@ -1,6 +1,6 @@
 // The verdict in one screen: scenarios down, observers across; how many runs survived, and how far off the rest were.
 import type { ObserverInfo, Report, Row } from "./data";
-import { choiceButtons, h, replaceContent, select } from "./dom";
+import { breakable, choiceButtons, h, replaceContent, select } from "./dom";
 import { millimetres, plural, shortName } from "./format";
 import { kStateText, stateIcon } from "./icons";
 import { selectScenario, type Selection, variantToShow } from "./selection";
@@ -138,7 +138,7 @@ function observerHeading(observer: ObserverInfo): HTMLElement {
   return h(
     "span",
     { class: "observer", title: observer.id },
-    h("span", {}, shortName(observer.observer, 40)),
+    breakable(shortName(observer.observer, 64)),
     h("small", {}, observer.oracle ? "bound" : observer.profile === "-" ? "\u00A0" : observer.profile),
   );
 }
@@ -166,7 +166,7 @@ function scenarioRow(
           h("span", {}, scenario),
           h("small", {}, plural(variants.length, "variant")),
         )
-      : h("span", { class: "expand" }, h("span", { class: "chevron" }), h("span", {}, scenario), variants[0] !== "" && h("small", {}, variants[0]));
+      : h("span", { class: "expand" }, h("span", { class: "chevron" }), h("span", {}, scenario), variants[0] !== "" && h("small", {}, variants[0] ?? ""));
   const cells = lines.map((line) => cellOf(line, scenario));
   const best = bestOf(lines, cells);
   return h(
@@ -183,7 +183,7 @@ function variantRow(verdict: Verdict, scenario: string, variant: string, lines: 
   return h(
     "tr",
     { class: "variant", "data-scenario": `${scenario}/${variant}` },
-    h("th", { scope: "row", class: "name" }, variant),
+    h("th", { scope: "row", class: "name" }, breakable(variant)),
     ...lines.map((line, i) => dataCell(verdict, scenario, cells[i]!, line.observer, i === best, `${scenario}/${variant}`)),
   );
 }

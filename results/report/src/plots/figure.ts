@@ -88,7 +88,7 @@ export class Figure {
 
   private async draw(width: number): Promise<void> {
     const turn = ++this.drawn;
-    const drawing = await this.options.draw(theme.get(), width).catch((error: unknown) => ({ missing: String(error) }));
+    const drawing = await this.options.draw(theme.get(), width).catch((error: unknown) => ({ missing: error instanceof Error ? error.message : String(error) }));
     this.plotly = await loadPlotly();
     if (turn !== this.drawn) return;
     if ("missing" in drawing) {

@@ -1,0 +1,153 @@
+// What the report page computes itself, against figures worked out by hand. npm test --prefix results/report
+import assert from "node:assert/strict";
+import { createRequire } from "node:module";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { deflateSync } from "node:zlib";
+
+const { build } = createRequire(new URL("../../../results/report/package.json", import.meta.url))("esbuild");
+
+let loads = 0;
+
+// A module of its own each time: nothing is left from an earlier page.
+async function load(name) {
+  const entry = fileURLToPath(new URL(`../../../results/report/src/${name}.ts`, import.meta.url));
+  const { outputFiles } = await build({ entryPoints: [entry], bundle: true, write: false, format: "esm", logLevel: "warning" });
+  return import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString("base64")}#${++loads}`);
+}
+
+function near(actual, expected, tolerance) {
+  assert.ok(Math.abs(actual - expected) <= tolerance, `${actual} is not ${expected}`);
+}
+
+// A page with one trace: `values` are what is left after summing up the differences, replay first.
+function pageWith(values, frames, signals, points, plots) {
+  const differences = values.map((column) => column.map((q, i) => q - (i > 0 ? column[i - 1] : 0))).flat();
+  const bytes = Buffer.alloc(2 * differences.length);
+  differences.forEach((d, i) => bytes.writeUInt16LE(((d % 65536) + 65536) % 65536, 2 * i));
+  const info = { scenario_id: "s", replay: { rate_Hz: 25, frames, signals }, plots: { buckets: points / 2, bucket_s: 0.4, points, signals: plots } };
+  const texts = { "report-data": JSON.stringify({ schema: 1, traces: [info] }), "trace-0": deflateSync(bytes).toString("base64") };
+  return { getElementById: (id) => (id in texts ? { textContent: texts[id] } : null) };
+}
+
+const kX = { name: "x", offset: 10, scale: 0.5 };
+
+test("a trace is decoded: differences modulo 2^16, offset and scale, what does not apply", async () => {
+  globalThis.document = pageWith([[-30000, 30000, -32768], [1, 2, 3, 4]], 3, [kX], 4, [{ name: "y", offset: 0, scale: 1 }]);
+  const { loadTrace } = await load("data");
+  const trace = await loadTrace(0);
+  assert.deepEqual([...trace.replay("x")], [-14990, 15010, NaN]);
+  assert.deepEqual([...trace.plot("y")], [1, 2, 3, 4]);
+  [0.1, 0.3, 0.5, 0.7].forEach((t, i) => near(trace.plotTimes[i], t, 1e-6));
+  assert.equal(trace.replay("y"), null);
+  await assert.rejects(loadTrace(1), /no trace 1/);
+});
+
+test("a trace of the wrong length is refused", async () => {
+  globalThis.document = pageWith([[1, 2]], 3, [kX], 0, []);
+  const { loadTrace } = await load("data");
+  await assert.rejects(loadTrace(0), /4 bytes instead of 6/);
+});
+
+test("data of another schema, and a page without any, are refused in words", async () => {
+  const { readReport } = await load("data");
+  assert.throws(() => readReport({ getElementById: () => ({ textContent: '{"schema": 9}' }) }), /schema 9/);
+  assert.throws(() => readReport({ getElementById: () => null }), /dobbench report DIR/);
+});
+
+test("Wilson's interval is that of the tables, and there is none below eight", async () => {
+  const { wilson } = await load("interval");
+  for (const [k, low, high] of [[0, 0, 0.2775], [1, 0.0179, 0.4042], [5, 0.2366, 0.7634], [10, 0.7225, 1]]) {
+    const interval = wilson(k, 10);
+    near(interval[0], low, 5e-5);
+    near(interval[1], high, 5e-5);
+  }
+  assert.equal(wilson(1, 7), null);
+});
+
+test("the median of an even number lies between the middle two", async () => {
+  const { median } = await load("interval");
+  assert.equal(median([9, 1, 4, 2]), 3);
+  assert.equal(median([5]), 5);
+  assert.ok(Number.isNaN(median([])));
+});
+
+function row(observer_id, scenario, variant, seeds, falls, com, more = {}) {
+  const common = { observer_id, scenario, variant, seeds, runs: seeds, falls, errors: 0, rank: 1, com_error_max_m: com, foot_error_max_m: null };
+  return { ...common, ...more };
+}
+
+test("a cell shows the worst variant in which a run survived", async () => {
+  const { summarise } = await load("summary");
+  const rows = [row("a", "s", "mild", 3, 0, 0.01), row("a", "s", "hard", 3, 1, 0.03), row("a", "s", "deadly", 3, 3, 0.9)];
+  const cell = summarise(rows);
+  assert.equal(cell.com.variant, "hard");
+  assert.deepEqual([cell.runs, cell.falls, cell.state], [9, 4, "some"]);
+  assert.equal(cell.foot, null);
+});
+
+test("a cell tells apart survived, fell, could not be run, not run yet", async () => {
+  const { summarise } = await load("summary");
+  const state = (falls, more) => summarise([row("a", "s", "", 2, falls, 0.1, more)]).state;
+  assert.equal(state(0), "survived");
+  assert.equal(state(2), "fell");
+  assert.equal(state(0, { errors: 1, runs: 1 }), "error");
+  assert.equal(state(0, { runs: 0 }), "pending");
+  assert.equal(summarise([]).state, "empty");
+});
+
+test("scenarios with observers of their own do not count, unless there are no others", async () => {
+  const { comparable } = await load("summary");
+  const shared = ["s", "t"].flatMap((scenario) => [row("a", scenario, "", 1, 0, 1), row("b", scenario, "", 1, 0, 1)]);
+  const own = [row("a", "u", "", 1, 0, 1), row("c", "u", "", 1, 0, 1)];
+  assert.deepEqual(comparable([...shared, ...own]), shared);
+  assert.deepEqual(comparable(own), own);
+});
+
+test("the sentence names the best ranked of those that never fell, never an oracle", async () => {
+  const { linesOf, verdictSentence } = await load("summary");
+  const observers = ["a", "b", "c", "o"].map((id) => ({ id, observer: id, profile: "-", oracle: id === "o" }));
+  const sentence = (rows) => verdictSentence(linesOf({ observers }, rows), 1);
+  const [a, b, o] = [row("a", "s", "", 4, 1, 1, { rank: 1 }), row("b", "s", "", 4, 0, 1, { rank: 3 }), row("o", "s", "", 4, 0, 1, { rank: null })];
+  assert.match(sentence([a, b, o]), /^Of 2 observers in 1 scenario only b never fell: 4 of 4 runs survived, mean rank 3\.0\.$/);
+  assert.match(sentence([a, b, row("c", "s", "", 4, 0, 1, { rank: 2 }), o]), /2 never fell; c is the best ranked/);
+  assert.match(sentence([a, o]), /none survived everything; a lost least: 3 of 4/);
+  assert.match(sentence([row("a", "s", "", 4, 0, null, { runs: 0 })]), /No run .* finished/);
+});
+
+test("what has no value is last in both orders", async () => {
+  const { sorted } = await load("sortable");
+  const columns = [{ id: "x", heading: "", key: (v) => v }];
+  assert.deepEqual(sorted([2, null, 1], columns, { column: "x", descending: false }), [1, 2, null]);
+  assert.deepEqual(sorted([2, null, 1], columns, { column: "x", descending: true }), [2, 1, null]);
+  assert.deepEqual(sorted(["case10", "case9"], columns, { column: "x", descending: false }), ["case9", "case10"]);
+});
+
+test("numbers have three significant digits", async () => {
+  const { significant, millimetres } = await load("format");
+  assert.deepEqual([30.44, 158.2, 6.378, 0.01234, 16181, 0].map((v) => significant(v)), ["30.4", "158", "6.38", "0.0123", "16181", "0"]);
+  assert.deepEqual([millimetres(0.0304), millimetres(null)], ["30.4", "\u2013"]);
+});
+
+test("the support polygon is the hull of the feet", async () => {
+  const { hull } = await load("kinematics");
+  assert.deepEqual(hull([[0, 0], [2, 0], [1, 1], [2, 2], [0, 2]]), [[0, 0], [2, 0], [2, 2], [0, 2]]);
+  assert.equal(hull([[0, 0], [1, 1]]).length, 2);
+});
+
+test("a foot is where trunk and joints put it", async () => {
+  const { footPositions } = await load("kinematics");
+  const turn = Math.SQRT1_2; // trunk turned by 90 degrees about z, knee bent by 90 degrees about y
+  const values = { "trunk/x_m": 1, "trunk/y_m": 2, "trunk/z_m": 3, "trunk/qw": turn, "trunk/qx": 0, "trunk/qy": 0, "trunk/qz": turn, "LF/hip/angle_rad": 0, "LF/lower/angle_rad": Math.PI / 2 };
+  const trace = { replay: (name) => (name in values ? [values[name]] : null) };
+  const links = [
+    { parent: -1, joint: -1, origin: [0, 0, 0], axis: [1, 0, 0] },
+    { parent: 0, joint: 0, origin: [0.5, 0, 0], axis: [1, 0, 0] },
+    { parent: 1, joint: 2, origin: [0, 0, -0.3], axis: [0, 1, 0] },
+  ];
+  const robot = { links, feet: [{ leg: "LF", link: 2, center: [0, 0, -0.2], radius: 0.02 }] };
+  const [foot] = footPositions(robot, trace, 0);
+  [1, 2.5 - 0.2, 2.7].forEach((v, i) => near(foot[i], v, 1e-12));
+  delete values["LF/lower/angle_rad"];
+  assert.equal(footPositions(robot, trace, 0), null);
+});
