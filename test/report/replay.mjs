@@ -41,6 +41,14 @@ export class ReplayPart {
     return all[run]?.slice(1).map(Number);
   }
 
+  /** Presses "Save picture"; the name that it suggests. */
+  async savePicture(path) {
+    const button = this.root.getByRole("button", { name: "Save picture" });
+    const [download] = await Promise.all([this.page.waitForEvent("download"), button.click()]);
+    await download.saveAs(path);
+    return download.suggestedFilename();
+  }
+
   async shot() {
     return this.canvas.screenshot();
   }

@@ -1,6 +1,6 @@
 // The replay's buttons: what they are called, which keys they have, what they tell. They hold no state of the replay.
 import { type CameraPreset, kCameraPresets } from "./camera";
-import { kOverlayNames, kOverlays, type OverlayName } from "./overlays";
+import { kOverlayNames, kOverlays, overlayColor, type OverlayName } from "./overlays";
 
 /** What the controls ask of the replay. */
 export interface ReplayActions {
@@ -84,6 +84,11 @@ export class Controls {
       `Arrows: 1 m stands for ${contact_N_per_m} N of ground reaction, and for ${disturbance_N_per_m} N of disturbance and estimate.`;
   }
 
+  /** What the arrows' lengths mean, in words. */
+  get scales(): string {
+    return this.scale.textContent ?? "";
+  }
+
   /** Keys of the whole replay; true if the key was one. */
   key(key: string): boolean {
     const { actions } = this;
@@ -109,10 +114,10 @@ export class Controls {
     title.textContent = "Legend: what is drawn";
     const list = element("div", "replay-overlays");
     for (const name of kOverlayNames) {
-      const { label, color, on } = kOverlays[name];
+      const { label, on } = kOverlays[name];
       const box = checkbox(label, on, (checked) => this.actions.setOverlay(name, checked));
       const swatch = element("span", "replay-swatch");
-      swatch.style.background = color === null ? "linear-gradient(90deg, #0072b2, #d55e00)" : `#${color.toString(16).padStart(6, "0")}`;
+      swatch.style.background = overlayColor(name) ?? "linear-gradient(90deg, #0072b2, #d55e00)";
       box.insertBefore(swatch, box.lastChild);
       list.append(box);
     }

@@ -25,6 +25,12 @@ export const kOverlays = {
 export type OverlayName = keyof typeof kOverlays;
 export const kOverlayNames = Object.keys(kOverlays) as OverlayName[];
 
+/** For CSS and canvas; null: the run's own colour. */
+export function overlayColor(name: OverlayName): string | null {
+  const { color } = kOverlays[name];
+  return color === null ? null : `#${color.toString(16).padStart(6, "0")}`;
+}
+
 export interface Scales {
   contact: number; // [N/m]
   disturbance: number; // [N/m] of the true and the estimated one

@@ -7,7 +7,7 @@ import { AxesGizmo } from "./axes_gizmo";
 import { type CameraPreset, FollowCamera } from "./camera";
 import { caption } from "./caption";
 import { Controls, type ReplayActions } from "./controls";
-import { kOverlayNames, kOverlays, type OverlayName, roundScale, type Scales } from "./overlays";
+import { kOverlayNames, kOverlays, overlayColor, type OverlayName, roundScale, type Scales } from "./overlays";
 import { download, pictureOf } from "./picture";
 import { Recording } from "./recording";
 import { NoWebGl, Stage, type View } from "./scene";
@@ -136,9 +136,11 @@ export class Replay implements ReplayActions {
   takePicture(t = this.now): Promise<Blob> {
     if (!this.stage) return Promise.reject(new NoWebGl("There is no 3D picture."));
     this.draw(t, kPicture.width, kPicture.height, 1);
-    const lines = [`${this.title}, t = ${t.toFixed(2)} s`];
+    const lines = [`${this.title}, t = ${t.toFixed(2)} s. ${this.controls.scales}`];
     for (const actor of this.actors) lines.push(`${actor.label}: ${actor.values(t)}`);
-    const picture = pictureOf(this.stage.canvas, lines, theme.get() === "dark"); // copies it before the next line
+    const ownColor = this.actors[0]?.color ?? "#777777";
+    const keys = [...this.overlays].map((name) => ({ label: kOverlays[name].label, color: overlayColor(name) ?? ownColor }));
+    const picture = pictureOf(this.stage.canvas, lines, keys, theme.get() === "dark"); // copies it before the next line
     this.render();
     return picture;
   }
