@@ -54,7 +54,7 @@ export function metricOf(field: string): Metric {
 }
 
 // Observers can have long names (options in them); what does not fit ends in an ellipsis.
-export function shortName(name: string, longest = 34): string {
+export function shortName(name: string, longest = 46): string {
   if (name.length <= longest) return name;
   const at = name.lastIndexOf("@");
   const profile = at > 0 ? name.slice(at) : "";

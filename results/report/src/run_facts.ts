@@ -10,7 +10,7 @@ export function runLine(report: Report): HTMLElement {
     run.date.replace("T", " ").replace("Z", " UTC"),
     `dobbench ${run.version}, commit ${run.commit}`,
     [run.machine.cpu, run.machine.cores ? plural(run.machine.cores, "core") : ""].filter(Boolean).join(", "),
-    `seeds ${seedText(run.seeds)}`,
+    `${run.seeds.length === 1 ? "seed" : "seeds"} ${seedText(run.seeds)}`,
     run.finished < run.planned ? `${run.finished} of ${run.planned} runs finished` : plural(run.finished, "run"),
   ];
   return h("p", { class: "run-line", "data-test": "run-line" }, ...parts.filter(Boolean).map((part) => h("span", {}, part)));
@@ -55,7 +55,7 @@ function sentences(heading: string, texts: readonly string[], test: string): HTM
 function leftOut(report: Report): HTMLElement {
   const shown = `This page shows ${plural(report.traces.length, "time series and replay", "time series and replays")}`;
   if (report.left_out.length === 0) return h("p", { "data-test": "left-out" }, `${shown}; nothing was left out.`);
-  const rows = report.left_out.map(({ what, why }) => h("tr", {}, h("td", {}, what), h("td", {}, why)));
+  const rows = report.left_out.map(({ what, why }) => h("tr", {}, h("td", {}, what), h("td", { class: "why" }, why)));
   return h(
     "div",
     { "data-test": "left-out" },

@@ -100,7 +100,7 @@ export class ScenarioView {
       { id: "balance", text: "Balance", panel: panel([groundFigure(this.context), ...balanceFigures(this.context)]) },
       { id: "timing", text: "Timing", panel: timing },
     ];
-    const hint = "In a plot over time a click sets the cursor, a drag zooms all of them, a double click shows all again; names in a legend switch lines on and off.";
+    const hint = "Click: cursor. Drag: zoom, in all plots over time. Double click: all again. Names in a legend switch lines on and off.";
     return h("div", {}, tabList("Plots", tabs, "plot-tabs"), h("p", { class: "note hint" }, hint), ...tabs.map((tab) => tab.panel));
   }
 }

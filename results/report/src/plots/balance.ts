@@ -2,7 +2,7 @@
 import type { PlotTrace } from "./plotly";
 import { significant } from "../format";
 import type { Theme } from "../state";
-import { type Context, fileName, focused, loadShown, noTrace, type Shown } from "./context";
+import { type Context, endOf, fileName, focused, loadShown, noTrace, type Shown } from "./context";
 import { type Drawing, Figure, type Missing } from "./figure";
 import { axis, baseLayout, palette, scaled, stacked, timeAxis } from "./layout";
 
@@ -42,7 +42,7 @@ function drawMargin(context: Context, shown: Shown[], theme: Theme): Drawing | M
   if (!data.some((d) => (d["y"] as Float32Array).some(Number.isFinite))) return { missing: "No ZMP margin in these runs." };
   const layout = baseLayout(theme, { xaxis: timeAxis(theme), yaxis: axis(theme, "margin [mm]") });
   const least = data.map((d) => `${d["name"]} ${significant(smallest(d["y"] as Float32Array))} mm`);
-  return { data, layout, height: 260, summary: `Smallest margin: ${least.join("; ")}.` };
+  return { data, layout, height: 260, end: endOf(shown), summary: `Smallest margin: ${least.join("; ")}.` };
 }
 
 function smallest(values: Float32Array): number {
@@ -59,7 +59,7 @@ function drawZmp(context: Context, shown: Shown[], theme: Theme): Drawing | Miss
     data.push({ ...common, y: s.trace.plot(`zmp/cop/${a}_m`) ?? [], name: `centre of pressure, ${s.label}`, legendgroup: "cop", line: { color: s.style.color, width: 1.1 }, hovertemplate: "%{y:.3f} m<extra>centre of pressure</extra>" });
     data.push({ ...common, y: s.trace.plot(`zmp/reference/${a}_m`) ?? [], name: "ZMP reference", legendgroup: "reference", line: { color: palette(theme).truth, width: 1.4, dash: "dot" }, hovertemplate: "%{y:.3f} m<extra>ZMP reference</extra>" });
   });
-  return { data, layout: baseLayout(theme, layout), height: 380, summary: `World coordinates of the ZMP reference and the centre of pressure of ${s.label}.` };
+  return { data, layout: baseLayout(theme, layout), height: 380, end: endOf(shown), summary: `World coordinates of the ZMP reference and the centre of pressure of ${s.label}.` };
 }
 
 function drawSaturation(context: Context, shown: Shown[], theme: Theme): Drawing | Missing {
@@ -68,5 +68,5 @@ function drawSaturation(context: Context, shown: Shown[], theme: Theme): Drawing
   if (data.length === 0) return { missing: "No joint reached its torque limit in the runs shown." };
   const layout = baseLayout(theme, { xaxis: timeAxis(theme), yaxis: axis(theme, "joints", { rangemode: "tozero", dtick: 2 }) });
   const most = data.map((d) => `${d["name"]} ${Math.max(...(d["y"] as Float32Array).filter(Number.isFinite))}`);
-  return { data, layout, height: 220, summary: `Most joints at once: ${most.join("; ")}.` };
+  return { data, layout, height: 220, end: endOf(shown), summary: `Most joints at once: ${most.join("; ")}.` };
 }

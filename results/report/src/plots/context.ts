@@ -46,6 +46,11 @@ export function pointsBefore(s: Shown, points: number): number {
   return Math.min(points, Math.max(2, 2 * Math.floor((s.fall - 1) / s.trace.info.plots.bucket_s)));
 }
 
+// The end of the longest run [s].
+export function endOf(shown: readonly Shown[]): number {
+  return Math.max(0, ...shown.map((s) => s.trace.info.end_s));
+}
+
 // The trace of the observer in detail; without one the first that is shown.
 export function focused(shown: readonly Shown[], selection: Selection): Shown | undefined {
   return shown.find((s) => s.id === selection.focus.get()) ?? shown[0];

@@ -2,7 +2,7 @@
 import type { PlotLayout, PlotTrace } from "./plotly";
 import { significant } from "../format";
 import type { Theme } from "../state";
-import { type Context, fileName, loadShown, noTrace, pointsBefore, type Shown } from "./context";
+import { type Context, endOf, fileName, loadShown, noTrace, pointsBefore, type Shown } from "./context";
 import { type Drawing, Figure, type Missing } from "./figure";
 import { axis, baseLayout, palette, stacked, timeAxis } from "./layout";
 
@@ -66,7 +66,7 @@ function draw(context: Context, components: Component[], shown: Shown[], theme: 
   });
   setRanges(layout, components, shown);
   const height = twoColumns ? 460 : 130 * components.length + 70;
-  return { data, layout: baseLayout(theme, layout), height, summary: summary(components, estimating) };
+  return { data, layout: baseLayout(theme, layout), height, end: endOf(shown), summary: summary(components, estimating) };
 }
 
 // Axes that hold estimates and truth up to one second before a fall: what an estimate does in a fall would press all else

@@ -3,7 +3,7 @@ import type { PlotTrace } from "./plotly";
 import { kLegs } from "../data";
 import { significant } from "../format";
 import type { Theme } from "../state";
-import { type Context, fileName, focused, loadShown, noTrace, type Shown } from "./context";
+import { type Context, endOf, fileName, focused, loadShown, noTrace, type Shown } from "./context";
 import { type Drawing, Figure, type Missing } from "./figure";
 import { bands, baseLayout, largest, palette, scaled, stacked } from "./layout";
 
@@ -30,7 +30,7 @@ function drawErrors(context: Context, shown: Shown[], theme: Theme): Drawing | M
     Object.assign(layout[i === 0 ? "yaxis" : `yaxis${i + 1}`] as object, top > 0.01 ? { range: [0, top] } : {});
     peaks.push(`${leg}: ${lines.map((l) => `${l.name} ${significant(l.largest)}`).join(", ")}`);
   });
-  return { data, layout: baseLayout(theme, layout), height: 560, summary: `Largest values in mm. ${peaks.join("; ")}.` };
+  return { data, layout: baseLayout(theme, layout), height: 560, end: endOf(shown), summary: `Largest values in mm. ${peaks.join("; ")}.` };
 }
 
 function errorLine(s: Shown, leg: string, yaxis: string, first: boolean) {
@@ -67,5 +67,5 @@ function drawForces(context: Context, shown: Shown[], theme: Theme): Drawing | M
     data.push({ ...common, y: commanded ?? [], name: "commanded", legendgroup: "commanded", line: { color: palette(theme).truth, width: 1.2, dash: "dot" }, hovertemplate: `commanded %{y:.3~g} N${at}` });
     if (measured) means.push(`${leg} ${significant(largest(measured))} N`);
   });
-  return { data, layout: baseLayout(theme, layout), height: 520, summary: `${s.short}; largest measured: ${means.join(", ")}.` };
+  return { data, layout: baseLayout(theme, layout), height: 520, end: endOf(shown), summary: `${s.short}; largest measured: ${means.join(", ")}.` };
 }

@@ -10,6 +10,7 @@ export interface Drawing {
   layout: PlotLayout;
   summary: string; // the text alternative, from the data
   height: number;
+  end?: number; // of the time axes [s]
 }
 
 export type Missing = { missing: string };
@@ -47,6 +48,7 @@ export class Figure {
   private visible = false;
   private stale = true;
   private width = 0;
+  private end = 0;
   private drawn = 0; // counts drawings, so that only the last one asked for appears
 
   constructor(private readonly options: FigureOptions) {
@@ -100,7 +102,7 @@ export class Figure {
     if (!this.plot) replaceContent(this.host);
     this.buttons.hidden = false;
     const layout = this.fit(drawing, width);
-    const plot = await this.plotly.react(this.host, drawing.data, layout, { displayModeBar: false, responsive: false, showTips: false, doubleClick: "reset+autosize" });
+    const plot = await this.plotly.react(this.host, drawing.data, layout, { displayModeBar: false, responsive: false, showTips: false, doubleClick: false });
     if (!this.plot) this.listen(plot);
     this.plot = plot;
     this.placeCursors(time.get());
@@ -109,9 +111,10 @@ export class Figure {
   private fit(drawing: Drawing, width: number): PlotLayout {
     const layout: PlotLayout = { ...drawing.layout, width, height: drawing.height, autosize: false };
     if (width < kNarrow) layout["showlegend"] = false;
-    const range = timeRange.get();
+    this.end = drawing.end ?? 0;
+    const range = timeRange.get() ?? [0, this.end];
     for (const name of this.options.timeAxes ?? []) {
-      if (layout[name] && range) layout[name] = { ...(layout[name] as PlotLayout), range: [...range], autorange: false };
+      if (layout[name]) layout[name] = { ...(layout[name] as PlotLayout), range: [...range], autorange: false };
     }
     return layout;
   }
@@ -141,6 +144,10 @@ export class Figure {
   }
 
   private listen(plot: PlotElement): void {
+    plot.on("plotly_doubleclick", () => {
+      if (this.options.timeAxes) timeRange.set(null);
+      this.invalidate(); // as it was at first, its other axes too
+    });
     if (!this.options.timeAxes) return;
     plot.on("plotly_click", (event) => {
       const x = (event["points"] as { x: unknown }[] | undefined)?.[0]?.x;
@@ -149,15 +156,16 @@ export class Figure {
     plot.on("plotly_relayout", (event) => {
       for (const name of this.options.timeAxes ?? []) {
         const [low, high] = [event[`${name}.range[0]`], event[`${name}.range[1]`]];
-        if (typeof low === "number" && typeof high === "number") timeRange.set([low, high]);
-        if (event[`${name}.autorange`] === true) timeRange.set(null);
+        if (typeof low !== "number" || typeof high !== "number") continue;
+        timeRange.set(low <= 0 && high >= this.end ? null : [low, high]);
       }
       this.placeCursors(time.get());
     });
   }
 
   private linkTime(): void {
-    timeRange.subscribe((range) => {
+    timeRange.subscribe((chosen) => {
+      const range = chosen ?? [0, this.end];
       if (!this.visible || !this.plot || this.stale) {
         this.stale = true;
         return;
@@ -165,9 +173,7 @@ export class Figure {
       const change: PlotLayout = {};
       for (const name of this.options.timeAxes ?? []) {
         const axis = this.plot._fullLayout?.[name] as Axis | undefined;
-        if (range && axis && axis.range[0] === range[0] && axis.range[1] === range[1]) continue;
-        if (range) change[`${name}.range`] = [...range];
-        else change[`${name}.autorange`] = true;
+        if (axis && (axis.range[0] !== range[0] || axis.range[1] !== range[1])) change[`${name}.range`] = [...range];
       }
       if (Object.keys(change).length > 0) void this.plotly?.relayout(this.host, change);
     });

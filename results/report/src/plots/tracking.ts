@@ -2,7 +2,7 @@
 import type { PlotLayout, PlotTrace } from "./plotly";
 import { seconds, significant } from "../format";
 import type { Theme } from "../state";
-import { type Context, fileName, loadShown, noTrace, pointsBefore, type Shown } from "./context";
+import { type Context, endOf, fileName, loadShown, noTrace, pointsBefore, type Shown } from "./context";
 import { Figure } from "./figure";
 import { axis, bands, baseLayout, largest, palette, scaled, timeAxis } from "./layout";
 
@@ -64,7 +64,7 @@ function drawError(context: Context, error: Error, shown: Shown[], theme: Theme)
     shapes: drawn.flatMap(({ s }) => (s.fall === null ? [] : [fallLine(s)])),
   });
   const figures = drawn.map(({ s, values }) => `${s.short} ${significant(largest(values))} ${error.unit}${s.fall === null ? "" : `, fell at ${seconds(s.fall)}`}`);
-  return { data, layout, height: 300, summary: `Largest values: ${figures.join("; ")}.` };
+  return { data, layout, height: 300, end: endOf(shown), summary: `Largest values: ${figures.join("; ")}.` };
 }
 
 // The last second before a fall would press all else flat; double-click or zoom shows it.
