@@ -28,7 +28,7 @@ struct MetricSummary {
 struct TimingSummary {
   double tick_p50_us = 0.0, tick_p99_us = 0.0, tick_max_us = 0.0;  // [us]
   double qp_p50_us = 0.0, qp_p99_us = 0.0, qp_max_us = 0.0;        // [us]
-  double real_time_factor = 0.0;  // simulated / wall time of the trial
+  double real_time_factor = 0.0;                                   // simulated / wall time of the trial
 };
 
 struct TableRow {
