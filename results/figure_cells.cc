@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "results/claim_cells.h"
+
 namespace dob {
 namespace {
 
@@ -26,10 +28,6 @@ std::string chosen(const Run& run, std::string CellKey::*member, const std::stri
   }
   if (!wish.empty()) return wish;
   return has(favourite) ? favourite : values.empty() ? kNoProfile : values.front();
-}
-
-bool is_scenario(const CellKey& key, const std::string& name) {
-  return name == (key.variant.empty() ? key.scenario : key.scenario + "/" + key.variant);
 }
 
 }  // namespace
@@ -66,7 +64,7 @@ const CellKey* FigureCells::planned(const std::string& scenario, const std::stri
                                     const std::string& profile) const {
   const CellKey* best = nullptr;
   for (const CellKey& key : run_.info.cells) {
-    if (!is_scenario(key, scenario) || key.observer != observer || !shown(key, profile)) continue;
+    if (case_name(key) != scenario || key.observer != observer || !shown(key, profile)) continue;
     if (best == nullptr || (key.overrides == best->overrides && key.seed < best->seed)) best = &key;
   }
   return best;
@@ -86,7 +84,7 @@ FigureCell FigureCells::find(const std::vector<std::string>& scenarios, const st
     return {&*cell, &trace(*cell)};
   }
   const bool any = std::any_of(run_.info.cells.begin(), run_.info.cells.end(), [&](const CellKey& key) {
-    return std::any_of(scenarios.begin(), scenarios.end(), [&](const auto& name) { return is_scenario(key, name); });
+    return std::any_of(scenarios.begin(), scenarios.end(), [&](const auto& name) { return name == case_name(key); });
   });
   if (!any) throw StoreError(fmt::format("{}: not part of the run", fmt::join(scenarios, " or ")));
   throw StoreError(fmt::format("{}, {}: not part of the run with profile {}, gains {}, planner {}",

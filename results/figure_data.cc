@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "results/claim_cells.h"
 #include "results/figure_lines.h"
 #include "results/figure_style.h"
 
@@ -141,7 +142,7 @@ class TimeFigure {
                                  const FigureCell& cell) {
     const FigureSeries part = spec.time_s ? cut(whole, (*spec.time_s)[0], (*spec.time_s)[1]) : whole;
     if (std::none_of(part.value.begin(), part.value.end(), [](double v) { return std::isfinite(v); })) {
-      throw StoreError(fmt::format("{}, {}: no {} in the part that is shown", name_of(cell.cell->key),
+      throw StoreError(fmt::format("{}, {}: no {} in the part that is shown", case_name(cell.cell->key),
                                    cell.cell->key.observer, with_leg(quantity.axis, spec.leg)));
     }
     return part;
@@ -204,12 +205,8 @@ class TimeFigure {
     return static_cast<std::size_t>(std::find(labels_.begin(), labels_.end(), label) - labels_.begin());
   }
 
-  static std::string name_of(const CellKey& key) {
-    return key.variant.empty() ? key.scenario : key.scenario + "/" + key.variant;
-  }
-
   void remember(const CellKey& key) {
-    const std::string scenario = name_of(key);
+    const std::string scenario = case_name(key);
     const std::string overrides = key.overrides.empty() ? "" : ", " + key.overrides;
     add_once(scenarios_, scenario);
     add_once(observers_, fmt::format("{}@{}", key.observer.substr(0, key.observer.find(':')), key.profile));

@@ -35,7 +35,9 @@ class ErrorsFigure {
     for (const CellKey& key : cells.run().info.cells) {
       const bool left_out =
           std::find(spec.leave_out.begin(), spec.leave_out.end(), key.scenario) != spec.leave_out.end();
-      if (!left_out && row_of(key.scenario) == scenarios_.size()) scenarios_.push_back(key.scenario);
+      if (left_out) continue;
+      if (scenarios_.empty()) overrides_ = key.overrides;  // those of the first cell; others are other experiments
+      if (row_of(key.scenario) == scenarios_.size()) scenarios_.push_back(key.scenario);
     }
   }
 
@@ -44,8 +46,9 @@ class ErrorsFigure {
     Figure figure;
     figure.id = spec_.id;
     figure.columns = 3;
-    figure.subtitle = fmt::format("profile {}, gains {}, planner {}; all variants and seeds", cells_.request().profile,
-                                  cells_.request().gains, cells_.request().planner);
+    figure.subtitle =
+        fmt::format("profile {}, gains {}, planner {}{}; all variants and seeds", cells_.request().profile,
+                    cells_.request().gains, cells_.request().planner, overrides_.empty() ? "" : ", set " + overrides_);
     figure.cells = {figure.subtitle};
     figure.panels = {empty_panel("CoM [mm]"), empty_panel("foot [mm]"), empty_panel("falls [%]")};
     for (std::size_t k = 0; k < observers_.size(); ++k) {
@@ -76,7 +79,7 @@ class ErrorsFigure {
       const auto observer = std::find(observers_.begin(), observers_.end(), cell.key.observer);
       const std::size_t row = row_of(cell.key.scenario);
       if (observer == observers_.end() || row == scenarios_.size() || !cells_.shown(cell.key, "") ||
-          cell.outcome == Outcome::kError) {
+          cell.key.overrides != overrides_ || cell.outcome == Outcome::kError) {
         continue;
       }
       any = true;
@@ -177,6 +180,7 @@ class ErrorsFigure {
   const FigureSpec& spec_;
   const FigureCells& cells_;
   std::vector<std::string> observers_, scenarios_;
+  std::string overrides_;
   std::vector<std::vector<Runs>> runs_;  // by observer and scenario
 };
 

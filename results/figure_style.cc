@@ -19,14 +19,14 @@ const std::map<std::string, FigureLook>& own_looks() {
   return looks;
 }
 
-const std::array<FigureLook, 6>& other_looks() {
-  static const std::array<FigureLook, 6> looks{{{"#CC79A7", kSolid, 11},
-                                                {"#56B4E9", kDashed, 6},
-                                                {"#B8A900", kDashDot, 4},
-                                                {"#8C564B", kDotted, 8},
-                                                {"#4C4C9D", kLongDash, 10},
-                                                {"#66A61E", kDashed, 12}}};
-  return looks;
+// Six colours, five dashes, nine points: dashes start anew with each round of the colours, one further on, so that 30
+// observers differ in colour or dash and 18 in colour or point.
+FigureLook other_look(std::size_t number) {
+  static const std::array<std::string, 6> colours{"#CC79A7", "#56B4E9", "#B8A900", "#8C564B", "#4C4C9D", "#66A61E"};
+  static const std::array<std::vector<double>, 5> dashes{kSolid, kDashed, kDashDot, kDotted, kLongDash};
+  static const std::array<int, 9> points{11, 6, 4, 8, 10, 12, 3, 14, 15};
+  const std::size_t colour = number % colours.size(), round = number / colours.size();
+  return {colours[colour], dashes[(colour + round) % dashes.size()], points[number % points.size()]};
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ std::map<std::string, FigureLook> observer_looks(const std::vector<std::string>&
   for (const bool with_options : {false, true}) {  // NAME:key=value: many of them must not take the others' looks
     for (const std::string& observer : observers) {
       if (looks.contains(observer) || with_options != (observer.find(':') != std::string::npos)) continue;
-      looks[observer] = other_looks()[others++ % other_looks().size()];
+      looks[observer] = other_look(others++);
     }
   }
   return looks;

@@ -1,5 +1,5 @@
-// One colour, dash and point per observer: the same in every figure, and in the report page. After Okabe and Ito, to be
-// told apart by the colour-blind.
+// One colour, dash and point per observer, the same in every figure; the colours of the best known ones are those of
+// the report page. After Okabe and Ito, to be told apart by the colour-blind.
 #pragma once
 
 #include <map>

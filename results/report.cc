@@ -1,8 +1,5 @@
 #include "results/report.h"
 
-#include <algorithm>
-#include <map>
-
 #include <fmt/format.h>
 
 #include "results/report_data.h"

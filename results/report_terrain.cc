@@ -102,6 +102,7 @@ Json scenarios_json(const std::vector<ReportScenario>& scenarios, const ReportIn
     json["metric_leg"] = s != nullptr ? metric_leg(*s) : "all";
     json["set"] = paper.contains(id) ? "paper" : "extra";
     json["seed"] = entry.cell.seed;
+    json["setting"] = index.setting(entry.cell);
     json["boxes"] = s != nullptr ? boxes_json(laid_terrain(*s, entry.cell.seed)) : Json::array();
     json["friction"] = s != nullptr ? Json(s->terrain.ground_friction) : Json();
     list.push_back(std::move(json));

@@ -24,9 +24,8 @@ std::vector<ReportScenario> load_report_scenarios(const std::filesystem::path& d
                                                   const ReportIndex& index, std::vector<std::string>& missing);
 
 // [{"id", "scenario", "variant", "summary", "duration_s", "metric_leg": "LF" | "all", "set": "paper" | "extra",
-//   "seed", "boxes": [{"center", "size", "yaw", "friction"}], "friction"}, ...]. Of a file that is not known: no
-//   summary
-// and boxes, all legs, and null for duration and friction.
+//   "seed", "setting", "boxes": [{"center", "size", "yaw", "friction"}], "friction"}, ...]. Of a file that is not
+// known: no summary and boxes, all legs, and null for duration and friction.
 Json scenarios_json(const std::vector<ReportScenario>& scenarios, const ReportIndex& index);
 
 }  // namespace dob

@@ -177,10 +177,9 @@ std::vector<TableBlock> summary_blocks(const std::vector<TableRow>& rows) {
 std::vector<std::string> summary_legend() {
   return {
       "summary: over all variants of a scenario, \"k/n a / b\": k of n runs fell (left out when none did); a: CoM max, "
-      "b: "
-      "foot max, medians over the seeds of the worst variant in which a run survived. !: some runs could not be run. "
-      "rank: mean over scenarios and variants. Sorted by the share of runs lost, then by rank; oracles below the "
-      "rule. Observers of one scenario only are left out."};
+      "b: foot max, medians over the seeds, each of its worst variant in which a run survived. !: some runs could not "
+      "be run. rank: mean over scenarios and variants. Sorted by the share of runs lost, then by rank; oracles below "
+      "the rule. Observers of one scenario only are left out."};
 }
 
 }  // namespace dob
