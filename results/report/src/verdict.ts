@@ -260,7 +260,7 @@ const kLegend = [
   "Below it: CoM / foot error [mm], median over the seeds, CoM and foot error each of its own worst variant among those in which a run survived.",
   "CoM: largest error; foot: largest error in swing, without the swings that a disturbance\u2019s onset meets within 20 ms.",
   "Bold: the smallest CoM error of those that never fell.",
-  "Mean rank: over the variants, each among the observers shown: by lost runs, then CoM error.",
+  "Mean rank: over the variants, each among the observers shown: by lost runs, then CoM error (where all were lost, by the time of the fall).",
   "A press shows the runs.",
 ].join(" ");
 

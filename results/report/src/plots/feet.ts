@@ -11,7 +11,7 @@ export function footFigures(context: Context): Figure[] {
   const figure = (id: string, title: string, note: string, draw: typeof drawErrors): Figure =>
     new Figure({ id, title, note, timeAxes: ["xaxis"], fileName: () => fileName(context, id), draw: async (theme) => draw(context, await loadShown(context, theme), theme) });
   return [
-    figure("foot_error", "Foot error", "norm of the foot's distance: in swing from the spline, in stance from the planned foothold; swing phases shaded", drawErrors),
+    figure("foot_error", "Foot error", "norm of the foot\u2019s distance: in swing from the spline, in stance from the planned foothold; swing phases shaded", drawErrors),
     figure("grf", "Ground reaction force, vertical", "measured (line) against commanded (dots), of the observer in detail", drawForces),
   ];
 }
