@@ -25,7 +25,8 @@ function drawErrors(context: Context, shown: Shown[], theme: Theme): Drawing | M
   kLegs.forEach((leg, i) => {
     const lines = shown.flatMap((s) => errorLine(s, leg, names[i]!, i === 0));
     // As of the other errors: the last second before a fall would press all else flat.
-    const top = 1.08 * Math.max(1e-3, ...lines.map((l) => l.standing));
+    const standing = Math.max(...lines.map((l) => l.standing));
+    const top = 1.08 * Math.max(1e-3, standing > 0.01 ? standing : Math.max(...lines.map((l) => l.largest))); // fell at once
     data.push(bands(phases[leg] ?? [], 0, top, { name: "swing", color: palette(theme).shade, yaxis: names[i]!, legend: i === 0 }));
     data.push(...lines.map((l) => l.line));
     Object.assign(layout[i === 0 ? "yaxis" : `yaxis${i + 1}`] as object, top > 0.01 ? { range: [0, top] } : {});
