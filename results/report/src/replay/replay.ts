@@ -183,7 +183,8 @@ export class Replay implements ReplayActions {
     } catch (error) {
       const sentence = document.createElement("p");
       sentence.className = "replay-none";
-      sentence.textContent = `No replay: ${error instanceof Error ? error.message : String(error)} The plots do not need it.`;
+      const plots = this.data.robot ? " The plots do not need it." : "";
+      sentence.textContent = `No replay: ${error instanceof Error ? error.message : String(error)}${plots}`;
       this.root.append(sentence);
       return null;
     }
