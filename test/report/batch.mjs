@@ -32,6 +32,16 @@ export function dataOf(page) {
   return JSON.parse(text);
 }
 
+/** What `change` makes of the data of a page's text; for spoil(). */
+export function withData(text, change) {
+  const at = /(<script type="application\/json" id="report-data">)(.*?)(<\/script>)/s;
+  return text.replace(at, (_, begin, json, end) => {
+    const data = JSON.parse(json);
+    change(data);
+    return begin + JSON.stringify(data).replaceAll("<", "\\u003c") + end;
+  });
+}
+
 /** A copy of the page, spoilt on purpose: the tests of the tests. */
 export function spoil(page, name, change) {
   const copy = page.replace(/\.html$/, `-${name}.html`);

@@ -9,13 +9,13 @@ export async function drawn(page, id) {
   return figure;
 }
 
-/** What plotly holds of a drawn plot: per trace its name and how many points are numbers, its range in y. */
+/** What plotly holds of a drawn plot: per trace its name, mode and x axis, how many points are numbers, its range in y. */
 export function plotted(figure) {
   return figure.evaluate((element) => {
     const plot = element.querySelector(".js-plotly-plot");
     return (plot?.data ?? []).map((trace) => {
       const y = Array.from(trace.y ?? []).filter((v) => typeof v === "number" && Number.isFinite(v));
-      return { name: trace.name ?? "", points: y.length, low: Math.min(...y), high: Math.max(...y) };
+      return { name: trace.name ?? "", mode: trace.mode ?? trace.type, axis: trace.xaxis ?? "x", points: y.length, low: Math.min(...y), high: Math.max(...y) };
     });
   });
 }
@@ -28,6 +28,11 @@ export async function assertHasData(page, id, least = 1, points = 20) {
   const alive = traces.filter((trace) => trace.points >= points && trace.high > trace.low);
   assert.ok(alive.length >= least, `${id}: ${alive.length} of ${traces.length} lines have data: ${JSON.stringify(traces)}`);
   return traces;
+}
+
+/** `shown` is `value` with three significant digits. */
+export function assertRounded(shown, value, what) {
+  assert.ok(Math.abs(shown - value) <= 0.00501 * Math.abs(value), `${what}: ${shown} is shown, not ${value}`);
 }
 
 /** Share of the pixels in which two PNGs of one size differ clearly. */

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { assertHasData, drawn, plotted } from "./looks.mjs";
+import { assertHasData, assertRounded, drawn, plotted } from "./looks.mjs";
 import { choose, kTabs, open, openTab, report, shot } from "./suite.mjs";
 
 const kFewPoints = { tick: 2, qp: 2, support: 3 }; // histograms; corners
@@ -24,11 +24,20 @@ test("every plot of a scenario has lines with data", async () => {
 
 test("the plots over seeds have a mark for every run", async () => {
   const page = await open();
-  for (const plot of ["seeds", "falls", "paired"]) {
+  const marks = async (plot, axis) => {
     const figure = await drawn(page, plot);
     assert.equal(await figure.getAttribute("data-state"), "drawn");
-    assert.ok((await plotted(figure)).length > 0, plot);
-  }
+    const traces = (await plotted(figure)).filter((trace) => trace.mode === "markers" && trace.axis === axis);
+    return traces.reduce((sum, trace) => sum + trace.points, 0);
+  };
+  const shown = (x) => !x.observer_id.endsWith("@paper"); // the tuned ones are shown first
+  const [cells, rows] = [report.data.cells.filter(shown), report.data.rows.filter(shown)];
+  const ended = (outcome) => cells.filter((cell) => cell.outcome === outcome).length;
+  assert.ok(ended("survived") > 0 && ended("fell") > 0, "runs of the batch survive and fall");
+  assert.equal(await marks("seeds", "x"), ended("survived"));
+  assert.equal(await marks("seeds", "x2"), ended("fell"));
+  assert.equal(await marks("falls", "x"), new Set(rows.map((row) => row.observer_id)).size);
+  assert.equal(await marks("paired", "x"), rows.filter((row) => row.paired_com_error_max_m !== null).length);
 });
 
 test("another scenario and another observer are other lines", async () => {
@@ -47,6 +56,19 @@ test("another scenario and another observer are other lines", async () => {
   await page.waitForTimeout(300);
   const other = await assertHasData(page, "com_error");
   assert.notDeepEqual(other, first);
+});
+
+test("the force's words state the error that the run measured", async () => {
+  const page = await open();
+  await choose(page, "case1/tip_lateral");
+  await openTab(page, "estimates");
+  const words = await (await drawn(page, "force")).locator(".plot-frame").getAttribute("aria-label");
+  const told = [...words.matchAll(/(\S+) ([\d.]+) N\b/g)].map(([, id, rmse]) => [id, Number(rmse)]);
+  const cells = report.data.cells.filter((c) => c.scenario_id === "case1/tip_lateral" && c.seed === 1 && c.estimate_rmse_N !== null);
+  const measured = cells.filter((c) => !c.observer_id.endsWith("@paper"));
+  assert.ok(measured.length > 0, "an observer estimates the force");
+  assert.deepEqual(told.map(([id]) => id).sort(), measured.map((c) => c.observer_id).sort());
+  for (const [id, rmse] of told) assertRounded(rmse, measured.find((c) => c.observer_id === id).estimate_rmse_N, id);
 });
 
 test("a plot can be saved as SVG", async () => {

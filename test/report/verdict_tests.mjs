@@ -1,9 +1,10 @@
 // The verdict: cells, sorting, filters.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { assertRounded } from "./looks.mjs";
 import { open, report, shot } from "./suite.mjs";
 
-test("the verdict has a cell for every scenario and observer, with the runs that survived", async () => {
+test("the verdict has a cell for every scenario and observer, with the runs that survived and the errors", async () => {
   const page = await open();
   for (const { scenario, observer_id } of report.data.rows) {
     if (observer_id.endsWith("@paper")) continue; // the tuned ones are shown first
@@ -12,11 +13,24 @@ test("the verdict has a cell for every scenario and observer, with the runs that
     const rows = report.data.rows.filter((r) => r.scenario === scenario && r.observer_id === observer_id);
     const runs = rows.reduce((sum, r) => sum + r.runs, 0);
     const falls = rows.reduce((sum, r) => sum + r.falls, 0);
-    assert.match(await cell.innerText(), new RegExp(`${runs - falls}/${runs}`), `${observer_id} in ${scenario}`);
+    const errors = rows.reduce((sum, r) => sum + r.errors, 0);
+    const what = `${observer_id} in ${scenario}`;
+    assert.equal((await cell.locator(".count").innerText()).trim(), `${runs - falls}/${runs + errors}`, what);
+    const stood = rows.filter((r) => r.runs > r.falls);
+    const figures = (await cell.locator(".errors").innerText()).trim().split(" / ");
+    if (stood.length === 0) assert.deepEqual(figures, ["\u2013"], what);
+    else ["com_error_max_m", "foot_error_max_m"].forEach((field, i) => assertFigure(figures[i], stood, field, what));
   }
   await shot(page, "light");
   await shot(page, "light-whole", true);
 });
+
+// In mm, the worst of the rows that have the metric; a dash if none has.
+function assertFigure(text, rows, field, what) {
+  const values = rows.map((row) => row[field]).filter((value) => value !== null);
+  if (values.length === 0) assert.equal(text, "\u2013", `${field}, ${what}`);
+  else assertRounded(Number(text), 1e3 * Math.max(...values), `${field}, ${what}`);
+}
 
 test("the verdict sorts by name and by an observer's results, and says so", async () => {
   const page = await open();

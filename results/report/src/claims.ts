@@ -105,7 +105,7 @@ function overview(claims: Claim[], sets: string[]): HTMLElement {
     .map((set) => {
       const own = claims.filter((claim) => setOf(claim) === set);
       const answered = own.filter((claim) => claim.holds !== null);
-      return `${answered.filter((claim) => claim.holds).length} of ${answered.length} hold with ${set}`;
+      return `${answered.filter((claim) => claim.holds).length} of ${answered.length} that could be answered hold with ${set}`;
     });
   return h("p", { class: "sentence", "data-test": "claims-overview" }, lines.length > 0 ? `${lines.join("; ")}.` : "None of them is part of this run.");
 }

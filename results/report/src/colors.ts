@@ -1,5 +1,6 @@
-// One colour and one dash per observer, the same in every plot, in the replay and in the printed figures: after
-// Okabe and Ito, to be told apart by the colour-blind. The symbol tells observers apart without any colour.
+// One colour per observer, the same in every plot, in the replay and in the printed figures: after Okabe and Ito, to be
+// told apart by the colour-blind. The dash is the page's own: it tells profiles apart, and observers without a colour of
+// their own when these colours come round again. The symbol tells observers apart without any colour.
 import type { Theme } from "./state";
 
 const kNamed: Record<string, string> = {
@@ -16,6 +17,14 @@ const kOthers = ["#CC79A7", "#56B4E9", "#B8A900", "#8C564B", "#4C4C9D", "#66A61E
 // Two of them are too dark for a dark page.
 const kOthersDark = ["#CC79A7", "#56B4E9", "#B8A900", "#B98579", "#8C8CDB", "#66A61E"];
 
+// A round of kOthers each: of the first three profiles, and of an oracle. As plotly names or writes them.
+const kDashes = [
+  ["solid", "dot", "dashdot", "dash"],
+  ["10px,3px", "2px,5px", "10px,3px,2px,3px", "6px,6px"],
+  ["14px,2px,2px,2px", "1px,8px", "5px,2px,2px,2px,2px,2px", "4px,2px"],
+  ["18px,4px", "4px,8px", "12px,4px,4px,4px", "9px,9px"],
+] as const;
+
 // Shapes of markers (plotly's names).
 const kSymbols: Record<string, string> = {
   none: "circle",
@@ -29,7 +38,7 @@ const kOtherSymbols = ["hexagon", "star", "triangle-left", "triangle-right", "cr
 
 export interface ObserverStyle {
   color: string;
-  dash: "solid" | "dash" | "dot" | "dashdot";
+  dash: string; // of plotly: solid, dash, dot, dashdot, or lengths in px
   symbol: string;
 }
 
@@ -40,7 +49,8 @@ interface Named {
   oracle: boolean;
 }
 
-// Styles by observer id. Profiles of one observer share its colour and differ by dash.
+// Styles by observer id. Profiles of one observer share its colour and differ by dash; no two of up to
+// 24 observers without a name above share both.
 export function observerStyles(observers: readonly Named[], theme: Theme): Map<string, ObserverStyle> {
   const others = theme === "dark" ? kOthersDark : kOthers;
   const names = [...new Set(observers.map((o) => o.observer))];
@@ -48,12 +58,14 @@ export function observerStyles(observers: readonly Named[], theme: Theme): Map<s
   const profiles = [...new Set(observers.map((o) => o.profile))].filter((p) => p !== "-").sort(tunedFirst);
   const styles = new Map<string, ObserverStyle>();
   for (const o of observers) {
+    const i = unnamed.indexOf(o.observer); // -1: it has a colour of its own
     const color =
       o.observer === "oracle_full"
         ? kOracle[theme]
-        : (kNamed[o.observer] ?? others[unnamed.indexOf(o.observer) % others.length] ?? "#777777");
-    const dash = o.oracle ? "dash" : ((["solid", "dot", "dashdot"] as const)[Math.max(0, profiles.indexOf(o.profile)) % 3] ?? "solid");
-    const symbol = kSymbols[o.observer] ?? kOtherSymbols[unnamed.indexOf(o.observer) % kOtherSymbols.length] ?? "circle";
+        : (kNamed[o.observer] ?? others[i % others.length] ?? "#777777");
+    const round = Math.max(0, Math.floor(i / others.length)) % kDashes.length;
+    const dash = kDashes[round]![o.oracle ? 3 : Math.max(0, profiles.indexOf(o.profile)) % 3]!;
+    const symbol = kSymbols[o.observer] ?? kOtherSymbols[i % kOtherSymbols.length] ?? "circle";
     styles.set(o.id, { color, dash, symbol });
   }
   return styles;

@@ -50,11 +50,13 @@ export interface ScenarioInfo {
   scenario: string;
   variant: string;
   summary: string;
-  duration_s: number;
+  duration_s: number | null; // null: the scenario could not be read
   metric_leg: string; // LF, RF, LH, RH or all
   set: "paper" | "extra";
+  seed: number; // duration, boxes and friction are those of this seed and setting
+  setting?: number;
   boxes: Box[];
-  friction: number;
+  friction: number | null;
 }
 
 export type Interval = [number, number];
@@ -213,7 +215,7 @@ export interface Report {
   cells: Cell[];
   claims: Claim[];
   timing: Timing[];
-  robot: Robot;
+  robot: Robot | null; // null: it could not be read
   traces: TraceInfo[];
   left_out: { what: string; why: string }[];
   missing: string[];

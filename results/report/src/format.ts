@@ -43,7 +43,7 @@ export const kMetrics: readonly Metric[] = [
   { field: "com_error_max_m", label: "CoM error, largest", unit: "mm", factor: 1e3, paired: true },
   { field: "com_error_rms_m", label: "CoM error, RMS", unit: "mm", factor: 1e3, paired: true },
   { field: "path_error_max_m", label: "Path error, largest", unit: "mm", factor: 1e3, paired: true },
-  { field: "foot_error_max_m", label: "Foot error in swing, largest", unit: "mm", factor: 1e3, paired: true },
+  { field: "foot_error_max_m", label: "Foot error in swing, without onset swings", unit: "mm", factor: 1e3, paired: true },
   { field: "grf_error_mean_N", label: "GRF error, mean", unit: "N", factor: 1, paired: true },
   { field: "estimate_rmse_N", label: "Force estimate, RMSE", unit: "N", factor: 1, paired: false },
   { field: "orientation_error_max_rad", label: "Orientation error, largest", unit: "rad", factor: 1, paired: false },

@@ -1,6 +1,8 @@
 // Where the feet are, from the trunk's pose and the joint angles of a replay frame.
 import { kLegs, type Robot, type Trace } from "./data";
 
+export const kNoRobot = "The robot of this run could not be read.";
+
 export type Vec = [number, number, number];
 type Rotation = readonly Vec[]; // rows
 
@@ -11,8 +13,10 @@ const kIdentity: Rotation = [
   [0, 0, 1],
 ];
 
-// Centres of the feet in the world at frame k, in the order of robot.feet; null where the replay lacks a signal.
-export function footPositions(robot: Robot, trace: Trace, k: number): Vec[] | null {
+// Centres of the feet in the world at frame k, in the order of robot.feet; null without a robot and where the replay
+// lacks a signal.
+export function footPositions(robot: Robot | null, trace: Trace, k: number): Vec[] | null {
+  if (!robot) return null;
   const read = (name: string): number => trace.replay(name)?.[k] ?? NaN;
   const angle = (joint: number): number => read(`${kLegs[Math.floor(joint / 3)]}/${kJoints[joint % 3]}/angle_rad`);
   const positions: Vec[] = [];

@@ -26,7 +26,7 @@ export function observerChips(report: Report, selection: Selection): HTMLElement
 // What has a time series here, and what the profile asks for but was left out.
 function isOffered(report: Report, selection: Selection, observer: ObserverInfo): boolean {
   if (tracesOf(report, selection).some((t) => t.info.observer_id === observer.id)) return true;
-  const ran = report.rows.some((row) => row.scenario_id === selection.scenario.get() && row.observer_id === observer.id);
+  const ran = report.rows.some((row) => row.scenario_id === selection.scenario.get() && row.setting === selection.setting.get() && row.observer_id === observer.id);
   return ran && inProfile(observer, selection.profile.get());
 }
 
@@ -58,12 +58,12 @@ function chip(report: Report, selection: Selection, observer: ObserverInfo, styl
   );
 }
 
-const kDashes = { solid: "", dash: "5 3", dot: "1.5 2.5", dashdot: "5 2 1.5 2" };
+const kNamedDashes: Record<string, string> = { solid: "", dash: "5 3", dot: "1.5 2.5", dashdot: "5 2 1.5 2" };
 
 function sample(style: ObserverStyle): SVGElement {
   return svg(
     "svg",
     { class: "sample", viewBox: "0 0 22 8", "aria-hidden": true },
-    svg("path", { d: "M0 4 H22", stroke: style.color, "stroke-width": 2.4, "stroke-dasharray": kDashes[style.dash] }),
+    svg("path", { d: "M0 4 H22", stroke: style.color, "stroke-width": 2.4, "stroke-dasharray": kNamedDashes[style.dash] ?? style.dash.replace(/px,?/g, " ").trim() }),
   );
 }

@@ -1,7 +1,6 @@
 // One scenario: who is shown, the replay, and the plots, by what they are about.
 import { kLegs, type Report } from "./data";
 import { choiceButtons, h, replaceContent, select } from "./dom";
-import { plural, seconds } from "./format";
 import { observerChips } from "./observer_chips";
 import { balanceFigures } from "./plots/balance";
 import type { Context } from "./plots/context";
@@ -15,6 +14,7 @@ import { ReplayHost } from "./replay_host";
 import { scenarioOf, selectScenario, type Selection, tracesOf } from "./selection";
 import { timeRange } from "./state";
 import { tabList } from "./tabs";
+import { scenarioFacts } from "./terrain";
 import { timeBar } from "./time_bar";
 
 export class ScenarioView {
@@ -66,10 +66,10 @@ export class ScenarioView {
     const { report, selection } = this;
     const focused = document.activeElement?.getAttribute("data-test");
     const choices = report.scenarios.map((s) => {
-      const held = report.traces.some((t) => t.scenario_id === s.id);
+      const held = report.traces.some((t) => t.scenario_id === s.id && t.setting === selection.setting.get());
       return { value: s.id, text: `${s.id}${held ? "" : " (no time series)"}`, group: s.scenario };
     });
-    const seeds = [...new Set(report.traces.filter((t) => t.scenario_id === selection.scenario.get()).map((t) => t.seed))];
+    const seeds = [...new Set(report.traces.filter((t) => t.scenario_id === selection.scenario.get() && t.setting === selection.setting.get()).map((t) => t.seed))];
     replaceContent(
       this.bar,
       select("Scenario", choices, selection.scenario.get(), (id) => selectScenario(report, selection, id), "scenario-select"),
@@ -78,8 +78,8 @@ export class ScenarioView {
     );
     if (focused) this.bar.querySelector<HTMLElement>(`[data-test="${focused}"]`)?.focus();
     const s = scenarioOf(report, selection);
-    const facts = s && [seconds(s.duration_s), s.metric_leg === "all" ? "" : `leg ${s.metric_leg}`, `friction ${s.friction}`, s.boxes.length > 0 ? plural(s.boxes.length, "block") : "level ground", `seed ${selection.seed.get()}`];
-    replaceContent(this.summary, s?.summary, h("small", {}, facts?.filter(Boolean).join(" \u00B7 ")));
+    const facts = s && scenarioFacts(report, s, { setting: selection.setting.get(), seed: selection.seed.get() });
+    replaceContent(this.summary, s?.summary, h("small", {}, facts?.join(" \u00B7 ")));
   }
 
   private tabs(): HTMLElement {

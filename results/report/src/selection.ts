@@ -17,7 +17,7 @@ export function makeSelection(report: Report): Selection {
   const profile = profilesOf(report)[0] ?? null;
   const first = report.traces[0]?.scenario_id ?? report.scenarios[0]?.id ?? "";
   const selection: Selection = {
-    setting: signal(report.settings[0]?.id ?? 0),
+    setting: signal(report.traces[0]?.setting ?? report.settings[0]?.id ?? 0),
     profile: signal<string | null>(profile),
     scenario: signal(first),
     seed: signal(report.traces[0]?.seed ?? report.run.seeds[0] ?? 1),
@@ -27,6 +27,7 @@ export function makeSelection(report: Report): Selection {
   };
   showProfile(report, selection);
   selection.profile.subscribe(() => showProfile(report, selection));
+  selection.setting.subscribe(() => selectScenario(report, selection, selection.scenario.get())); // another seed, it may be
   return selection;
 }
 
@@ -64,8 +65,8 @@ export function shownTraces(report: Report, selection: Selection): ShownTrace[] 
 
 // Of a scenario file: the wanted variant if it has a trace of the observer, else the first that has one; without any the
 // wanted one, or the first.
-export function variantToShow(report: Report, scenario: string, wanted: string | null, observer: string): string {
-  const has = (id: string): boolean => report.traces.some((t) => t.scenario_id === id && t.observer_id === observer);
+export function variantToShow(report: Report, setting: number, scenario: string, wanted: string | null, observer: string): string {
+  const has = (id: string): boolean => report.traces.some((t) => t.scenario_id === id && t.setting === setting && t.observer_id === observer);
   if (wanted !== null && has(wanted)) return wanted;
   const variants = report.scenarios.filter((s) => s.scenario === scenario).map((s) => s.id);
   return variants.find(has) ?? wanted ?? variants[0] ?? "";

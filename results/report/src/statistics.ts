@@ -25,7 +25,7 @@ export class Statistics {
       new Figure({ id, title, note, fileName: () => `${report.title}-${id}-${this.metric.field}`, draw: async (theme, width) => draw(this.scope(), theme, width) });
     this.figures = [
       figure("seeds", "Runs, one by one", `a mark per run, the line is the median (a box from 8 runs on); runs that fell stand apart, by the time of their fall`, drawSeeds),
-      figure("falls", "Falls", "share of runs that fell, Wilson interval 95 %; no interval below 8 runs", drawFalls),
+      figure("falls", "Falls", "share of runs that fell", drawFalls),
       figure("paired", "Against the reference, run by run", "same seed, on the time that both stood; left is better; a mark per variant, median over the pairs; interval from 8 pairs on", drawPairs),
     ];
     this.drawBar();

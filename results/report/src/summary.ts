@@ -46,10 +46,11 @@ function worst(rows: readonly Row[], field: string): Row | null {
 export interface Line {
   observer: ObserverInfo;
   rows: Row[];
+  seeds: number; // runs planned
   runs: number;
   falls: number;
   errors: number;
-  meanRank: number | null;
+  meanRank: number | null; // over its rows, each among the rows that the lines are of
 }
 
 export function linesOf(report: Report, rows: readonly Row[]): Line[] {
@@ -57,12 +58,30 @@ export function linesOf(report: Report, rows: readonly Row[]): Line[] {
   for (const observer of report.observers) {
     const own = rows.filter((row) => row.observer_id === observer.id);
     if (own.length === 0) continue;
-    const { runs, falls, errors } = summarise(own);
-    const ranks = own.flatMap((row) => (row.rank === null ? [] : [row.rank]));
+    const { seeds, runs, falls, errors } = summarise(own);
+    const ranks = own.flatMap((row) => rankAmong(row, rows) ?? []);
     const meanRank = ranks.length > 0 ? ranks.reduce((a, b) => a + b) / ranks.length : null;
-    lines.push({ observer, rows: own, runs, falls, errors, meanRank });
+    lines.push({ observer, rows: own, seeds, runs, falls, errors, meanRank });
   }
   return lines.sort(standsBefore);
+}
+
+// As results/table_rows.h ranks a table, but among these rows only: a rank in the table is one among all profiles.
+export function rankAmong(row: Row, rows: readonly Row[]): number | null {
+  if (row.oracle || row.runs === 0) return null;
+  const block = rows.filter((o) => o.scenario_id === row.scenario_id && o.setting === row.setting && !o.oracle && o.runs > 0);
+  return 1 + block.filter((other) => isBetter(other, row)).length;
+}
+
+function isBetter(a: Row, b: Row): boolean {
+  const shares = lostShare(a) - lostShare(b);
+  return shares !== 0 ? shares < 0 : merit(a) < merit(b);
+}
+
+// Smaller is better: the CoM error, or, where every run was lost, minus the time until the fall.
+function merit(row: Row): number {
+  if (row.runs === row.falls) return -(value(row, "fall_time_median_s") ?? 0);
+  return value(row, "com_error_max_m") ?? Infinity;
 }
 
 export function lostShare(x: { runs: number; falls: number; errors: number }): number {
@@ -108,10 +127,18 @@ export function verdictSentence(lines: readonly Line[], scenarios: number): stri
   if (!best) return "No run of these observers has finished yet.";
   const id = best.observer.id;
   const rank = best.meanRank === null ? "" : `, mean rank ${best.meanRank.toFixed(1)}`;
-  const figures = `${best.runs - best.falls} of ${best.runs} runs survived${rank}`;
+  const figures = `${best.runs - best.falls} of ${best.runs + best.errors} runs survived${rank}`;
+  const rest = unfinished(lines);
   const of = `Of ${plural(ran.length, "observer")} in ${plural(scenarios, "scenario")}`;
   const never = ran.filter((line) => line.falls + line.errors === 0).length;
-  if (never === 0) return `${of} none survived everything; ${id} lost least: ${figures}.`;
-  if (never === 1) return `${of} only ${id} never fell: ${figures}.`;
-  return `${of} ${never} never fell; ${id} is the best ranked of them: ${figures}.`;
+  if (never === 0) return `${of} none survived everything; ${id} lost least: ${figures}.${rest}`;
+  if (never === 1) return `${of} only ${id} never fell: ${figures}.${rest}`;
+  return `${of} ${never} never fell; ${id} is the best ranked of them: ${figures}.${rest}`;
+}
+
+function unfinished(lines: readonly Line[]): string {
+  const errors = lines.reduce((sum, line) => sum + line.errors, 0);
+  const open = lines.reduce((sum, line) => sum + line.seeds - line.runs - line.errors, 0);
+  const parts = [errors > 0 && `${errors} could not be run`, open > 0 && `${open} not run yet`].filter(Boolean);
+  return parts.length > 0 ? ` Of the runs shown: ${parts.join(", ")}.` : "";
 }

@@ -95,7 +95,7 @@ export class Verdict {
     const { report, selection } = this;
     selection.shown.set(new Set([...selection.shown.get(), observer.id]));
     selection.focus.set(observer.id);
-    selectScenario(report, selection, variantToShow(report, scenario, wanted, observer.id));
+    selectScenario(report, selection, variantToShow(report, selection.setting.get(), scenario, wanted, observer.id));
     this.opened();
   }
 
@@ -218,14 +218,19 @@ function dataCell(verdict: Verdict, scenario: string, cell: CellSummary, observe
       title: spoken(cell, wanted ?? scenario, observer, best),
       onclick: () => verdict.show(scenario, target, observer),
     },
-    h("span", { class: "count" }, stateIcon(cell.state), `${cell.runs - cell.falls}/${cell.runs}`, cell.runs + cell.errors < cell.seeds && h("small", {}, ` of ${cell.seeds}`)),
+    h("span", { class: "count" }, stateIcon(cell.state), survivors(cell), cell.runs + cell.errors < cell.seeds && h("small", {}, ` of ${cell.seeds}`)),
     h("span", { class: best ? "errors best" : "errors" }, cell.com ? `${com} / ${foot}` : "\u2013"),
   );
   return h("td", { class: classes }, button);
 }
 
+// Of the runs that were to be had by now: what could not be run is lost.
+function survivors(x: { runs: number; falls: number; errors: number }): string {
+  return `${x.runs - x.falls}/${x.runs + x.errors}`;
+}
+
 function spoken(cell: CellSummary, name: string, observer: ObserverInfo, best: boolean): string {
-  const parts = [`${observer.id} in ${name}: ${cell.runs - cell.falls} of ${plural(cell.runs, "run")} survived`];
+  const parts = [`${observer.id} in ${name}: ${cell.runs - cell.falls} of ${plural(cell.runs + cell.errors, "run")} survived`];
   if (cell.errors > 0) parts.push(`${cell.errors} could not be run`);
   if (cell.runs + cell.errors < cell.seeds) parts.push(`${cell.seeds - cell.runs - cell.errors} not run yet`);
   if (cell.com) parts.push(`CoM error ${millimetres(value(cell.com, "com_error_max_m"))} mm (${cell.com.variant || "its only variant"})`);
@@ -242,12 +247,22 @@ function totalRow(lines: Line[]): HTMLElement {
       h(
         "td",
         { class: line.observer.oracle ? "oracle" : "" },
-        h("span", { class: "count" }, `${line.runs - line.falls}/${line.runs}`),
+        h("span", { class: "count" }, survivors(line), line.runs + line.errors < line.seeds && h("small", {}, ` of ${line.seeds}`)),
+        line.errors > 0 && h("span", { class: "errors" }, plural(line.errors, "error")),
         h("span", { class: "errors" }, line.observer.oracle ? "not ranked" : line.meanRank === null ? "\u2013" : `rank ${line.meanRank.toFixed(1)}`),
       ),
     ),
   );
 }
+
+const kLegend = [
+  "k/n: k of n runs survived, n with those that could not be run.",
+  "Below it: CoM / foot error [mm], median over the seeds, CoM and foot error each of its own worst variant among those in which a run survived.",
+  "CoM: largest error; foot: largest error in swing, without the swings that a disturbance\u2019s onset meets within 20 ms.",
+  "Bold: the smallest CoM error of those that never fell.",
+  "Mean rank: over the variants, each among the observers shown: by lost runs, then CoM error (where all were lost, by the time of the fall).",
+  "A press shows the runs.",
+].join(" ");
 
 function legend(): HTMLElement {
   const shapes = (["survived", "some", "fell", "error", "pending"] as const).map((state) =>
@@ -257,6 +272,6 @@ function legend(): HTMLElement {
     "p",
     { class: "note legend" },
     ...shapes,
-    h("span", {}, "k/n: k of n runs survived. Below it: largest CoM / foot error [mm], median over the seeds, of the worst variant in which a run survived; bold: the smallest CoM error of those that never fell. A press shows the runs."),
+    h("span", {}, kLegend),
   );
 }

@@ -55,16 +55,6 @@ test("data of another schema, and a page without any, are refused in words", asy
   assert.throws(() => readReport({ getElementById: () => null }), /dobbench report DIR/);
 });
 
-test("Wilson's interval is that of the tables, and there is none below eight", async () => {
-  const { wilson } = await load("interval");
-  for (const [k, low, high] of [[0, 0, 0.2775], [1, 0.0179, 0.4042], [5, 0.2366, 0.7634], [10, 0.7225, 1]]) {
-    const interval = wilson(k, 10);
-    near(interval[0], low, 5e-5);
-    near(interval[1], high, 5e-5);
-  }
-  assert.equal(wilson(1, 7), null);
-});
-
 test("the median of an even number lies between the middle two", async () => {
   const { median } = await load("interval");
   assert.equal(median([9, 1, 4, 2]), 3);
@@ -73,7 +63,7 @@ test("the median of an even number lies between the middle two", async () => {
 });
 
 function row(observer_id, scenario, variant, seeds, falls, com, more = {}) {
-  const common = { observer_id, scenario, variant, seeds, runs: seeds, falls, errors: 0, rank: 1, com_error_max_m: com, foot_error_max_m: null };
+  const common = { observer_id, scenario, variant, scenario_id: `${scenario}/${variant}`, setting: 0, oracle: false, seeds, runs: seeds, falls, errors: 0, com_error_max_m: com, foot_error_max_m: null, fall_time_median_s: null };
   return { ...common, ...more };
 }
 
@@ -108,11 +98,132 @@ test("the sentence names the best ranked of those that never fell, never an orac
   const { linesOf, verdictSentence } = await load("summary");
   const observers = ["a", "b", "c", "o"].map((id) => ({ id, observer: id, profile: "-", oracle: id === "o" }));
   const sentence = (rows) => verdictSentence(linesOf({ observers }, rows), 1);
-  const [a, b, o] = [row("a", "s", "", 4, 1, 1, { rank: 1 }), row("b", "s", "", 4, 0, 1, { rank: 3 }), row("o", "s", "", 4, 0, 1, { rank: null })];
-  assert.match(sentence([a, b, o]), /^Of 2 observers in 1 scenario only b never fell: 4 of 4 runs survived, mean rank 3\.0\.$/);
-  assert.match(sentence([a, b, row("c", "s", "", 4, 0, 1, { rank: 2 }), o]), /2 never fell; c is the best ranked/);
+  const [a, b, o] = [row("a", "s", "", 4, 1, 1), row("b", "s", "", 4, 0, 3), row("o", "s", "", 4, 0, 1, { oracle: true })];
+  assert.match(sentence([a, b, o]), /^Of 2 observers in 1 scenario only b never fell: 4 of 4 runs survived, mean rank 1\.0\.$/);
+  assert.match(sentence([a, b, row("c", "s", "", 4, 0, 2), o]), /2 never fell; c is the best ranked of them: .* mean rank 1\.0/);
   assert.match(sentence([a, o]), /none survived everything; a lost least: 3 of 4/);
   assert.match(sentence([row("a", "s", "", 4, 0, null, { runs: 0 })]), /No run .* finished/);
+});
+
+test("the sentence counts errors as lost, and names them and what has not been run yet", async () => {
+  const { linesOf, verdictSentence } = await load("summary");
+  const observers = ["a", "b"].map((id) => ({ id, observer: id, profile: "-", oracle: false }));
+  const rows = [row("a", "s", "", 5, 0, 1, { runs: 3, errors: 1 }), row("b", "s", "", 5, 2, 1, { runs: 3, errors: 1 })];
+  const sentence = verdictSentence(linesOf({ observers }, rows), 1);
+  assert.match(sentence, /none survived everything; a lost least: 3 of 4 runs survived.* Of the runs shown: 2 could not be run, 2 not run yet\.$/);
+});
+
+test("ranks are among the rows that are shown, by lost runs, then CoM error, then the later fall", async () => {
+  const { rankAmong } = await load("summary");
+  const rows = [
+    row("lost later", "s", "", 2, 2, 0.01, { fall_time_median_s: 9 }),
+    row("lost sooner", "s", "", 2, 2, 0.001, { fall_time_median_s: 3 }),
+    row("half", "s", "", 2, 1, 0.001),
+    row("far", "s", "", 2, 0, 0.9, { rank: 7 }),
+    row("near", "s", "", 2, 0, 0.1, { rank: 5 }),
+    row("as near", "s", "", 2, 0, 0.1),
+    row("oracle", "s", "", 2, 0, 0, { oracle: true }),
+    row("not run", "s", "", 2, 0, null, { runs: 0 }),
+    row("elsewhere", "t", "", 2, 0, 0.0001),
+    row("otherwise", "s", "", 2, 0, 0.0001, { setting: 1 }),
+  ];
+  assert.deepEqual(rows.map((r) => rankAmong(r, rows)), [5, 6, 4, 3, 1, 1, null, null, 1, 1]);
+  const shown = rows.filter((r) => !r.observer_id.endsWith("near"));
+  assert.equal(rankAmong(rows[3], shown), 1);
+});
+
+// As many as `dobbench list observers` names.
+const kObservers =
+  "none momentum com_wrench momentum_com nonlinear_dob momentum_exact kalman eso sliding_mode direct contact_consistent com_momentum_exact com_kalman com_eso com_sliding_mode oracle_legs oracle_full";
+
+test("no two observers share colour and dash, nor two profiles of one", async () => {
+  const { observerStyles } = await load("colors");
+  const distinct = (observers, theme) => {
+    const looks = [...observerStyles(observers, theme).values()].map((style) => `${style.color} ${style.dash}`);
+    assert.equal(new Set(looks).size, observers.length, looks.sort().join("\n"));
+  };
+  const names = kObservers.split(" ");
+  assert.equal(names.length, 17);
+  const named = (observer, profile) => ({ id: `${observer}@${profile}`, observer, profile, oracle: observer.startsWith("oracle") });
+  for (const theme of ["light", "dark"]) {
+    distinct(names.map((name) => named(name, "-")), theme);
+    const profiles = (name) => (name === "none" || name.startsWith("oracle") ? ["-"] : ["paper", "tuned"]);
+    distinct(names.flatMap((name) => profiles(name).map((profile) => named(name, profile))), theme);
+    distinct(Array.from({ length: 24 }, (_, i) => named(`momentum:order=${i}`, "tuned")), theme);
+  }
+});
+
+test("falls have an interval in one variant, and none over several", async () => {
+  const { drawFalls } = await load("plots/seeds");
+  const observers = [{ id: "a", observer: "a", profile: "-", oracle: false }];
+  const drawn = (rows) => drawFalls({ report: { observers }, observers, cells: [], rows, metric: {}, name: "s" }, "light", 800);
+  const [one, other] = ["x", "y"].map((variant) => row("a", "s", variant, 10, 5, 1, { falls_ci95: [0.2366, 0.7634] }));
+  const single = drawn([one]);
+  near(single.data[0].error_x.array[0], 26.34, 1e-9);
+  assert.match(single.summary, /5 of 10 fell \(24 % to 76 %\)/);
+  assert.doesNotMatch(single.note, /No interval/);
+  const pooled = drawn([one, other]);
+  assert.equal(pooled.data[0].error_x.visible, false);
+  assert.match(pooled.summary, /10 of 20 fell\. No interval/);
+  assert.match(pooled.note, /No interval .* no independent draws/);
+});
+
+test("blocks are drawn for the seed and the overrides that they are of", async () => {
+  const { blocksOf, scenarioFacts } = await load("terrain");
+  const box = { center: [0, 0, 0], size: [1, 1, 1], yaw: 0, friction: 0.5 };
+  const scenario = { id: "s", seed: 1, setting: 0, duration_s: 4, metric_leg: "LF", boxes: [box], friction: 0.8 };
+  const settings = ["", "", "duration_s=2"].map((overrides, id) => ({ id, gains: `g${id}`, planner: "zmp", overrides }));
+  const of = (seed, setting, more = {}) => {
+    const report = { settings, scenarios: [{ ...scenario, ...more }] };
+    const { boxes, note } = blocksOf(report, { scenario_id: "s", seed, setting });
+    return [boxes.length, note, scenarioFacts(report, report.scenarios[0], { seed, setting }).join(", ")];
+  };
+  assert.deepEqual(of(1, 0), [1, "", "4.00 s, leg LF, friction 0.8, 1 block, seed 1"]);
+  assert.deepEqual(of(1, 1).slice(0, 2), [1, ""]); // other gains, the same ground
+  assert.deepEqual(of(2, 0).slice(0, 2), [0, "The blocks of seed 1 are not those of this run: not drawn."]);
+  assert.deepEqual(of(2, 0, { boxes: [] }).slice(0, 2), [0, ""]);
+  const [boxes, note, facts] = of(1, 2);
+  assert.equal(boxes, 0);
+  assert.match(note, /overrides.*not drawn/);
+  assert.doesNotMatch(facts, /4\.00 s|friction|block/);
+  assert.equal(of(1, 2, { setting: undefined })[0], 1); // a page that does not say
+});
+
+test("of a scenario that could not be read the page says so, and nothing of its ground", async () => {
+  const { blocksOf, scenarioFacts } = await load("terrain");
+  const scenario = { id: "s", seed: 1, setting: 0, duration_s: null, metric_leg: "all", boxes: [], friction: null };
+  const report = { settings: [{ id: 0, overrides: "" }], scenarios: [scenario] };
+  assert.match(blocksOf(report, { scenario_id: "s", seed: 1, setting: 0 }).note, /could not be read/);
+  const facts = scenarioFacts(report, scenario, { seed: 1, setting: 0 }).join(", ");
+  assert.match(facts, /could not be read/);
+  assert.doesNotMatch(facts, /null|level ground/);
+});
+
+test("the page begins with the setting and the seed of the first time series, and keeps to what a setting has", async () => {
+  const { makeSelection, variantToShow } = await load("selection");
+  const trace = (scenario_id, setting, seed) => ({ scenario_id, setting, seed, observer_id: "a" });
+  const report = {
+    settings: [{ id: 0 }, { id: 1 }], run: { seeds: [1] }, observers: [{ id: "a", observer: "a", profile: "-", oracle: false }],
+    scenarios: ["x", "y"].map((variant) => ({ id: `s/${variant}`, scenario: "s", variant })),
+    traces: [trace("s/x", 1, 4), trace("s/y", 0, 5), trace("s/x", 0, 6)],
+  };
+  const selection = makeSelection(report);
+  assert.deepEqual([selection.setting.get(), selection.seed.get(), selection.scenario.get()], [1, 4, "s/x"]);
+  selection.setting.set(0);
+  assert.equal(selection.seed.get(), 6);
+  assert.equal(variantToShow(report, 1, "s", "s/y", "a"), "s/x");
+  assert.equal(variantToShow(report, 0, "s", "s/y", "a"), "s/y");
+});
+
+test("the replay tells the plots' value at its time", async () => {
+  const { Recording } = await load("replay/recording");
+  const info = { plots: { bucket_s: 0.4 } };
+  const recording = new Recording({ info, replay: () => null, plot: (name) => (name === "x" ? [1, 2, 3, 4] : null) }, { rate_Hz: 25, frames: 21 });
+  for (const [t, expected] of [[0, 1], [0.16, 1], [0.24, 2], [0.5, 3], [0.8, 4]]) {
+    recording.seek(t);
+    assert.equal(recording.plotted("x"), expected, `at ${t} s`);
+  }
+  assert.ok(Number.isNaN(recording.plotted("y")));
 });
 
 test("what has no value is last in both orders", async () => {
@@ -150,4 +261,5 @@ test("a foot is where trunk and joints put it", async () => {
   [1, 2.5 - 0.2, 2.7].forEach((v, i) => near(foot[i], v, 1e-12));
   delete values["LF/lower/angle_rad"];
   assert.equal(footPositions(robot, trace, 0), null);
+  assert.equal(footPositions(null, trace, 0), null);
 });

@@ -159,24 +159,12 @@ function truthLine(shown: readonly Shown[], c: Component, at: { x: string; y: st
   };
 }
 
+// With the cell's figure where the run has one: lines that are decimated to extremes have no mean.
 function summary(components: Component[], estimating: Shown[]): string {
   if (estimating.length === 0) return "True values only: none of the observers shown estimates this.";
-  const worst = estimating.map((s) => {
-    const errors = components.map((c) => meanDifference(s, c));
-    return `${s.short} ${components.map((c, i) => `${c.title.replace(/ \[.*/, "")} ${significant(errors[i]!, 2)} ${c.unit}`).join(", ")}`;
-  });
-  return `Mean of estimate minus truth over the run: ${worst.join("; ")}.`;
-}
-
-function meanDifference(s: Shown, c: Component): number {
-  const [estimate, truth] = [s.trace.plot(c.estimate), s.trace.plot(c.truth)];
-  let sum = 0;
-  let n = 0;
-  estimate?.forEach((value, i) => {
-    const difference = value - (truth?.[i] ?? NaN);
-    if (!Number.isFinite(difference)) return;
-    sum += difference;
-    ++n;
-  });
-  return n > 0 ? sum / n : NaN;
+  const names = `Estimates of ${estimating.map((s) => s.short).join(", ")} against the true values.`;
+  const atPoint = components.some((c) => c.estimate.startsWith("force_estimate/"));
+  const measured = estimating.filter((s) => typeof s.cell?.estimate_rmse_N === "number");
+  if (!atPoint || measured.length === 0) return names;
+  return `${names} RMSE: ${measured.map((s) => `${s.short} ${significant(s.cell!.estimate_rmse_N!)} N`).join("; ")}.`;
 }

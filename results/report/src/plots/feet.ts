@@ -3,7 +3,7 @@ import type { PlotTrace } from "./plotly";
 import { kLegs } from "../data";
 import { significant } from "../format";
 import type { Theme } from "../state";
-import { type Context, endOf, fileName, focused, loadShown, noTrace, type Shown } from "./context";
+import { type Context, endOf, fileName, focused, loadShown, noTrace, pointsBefore, type Shown } from "./context";
 import { type Drawing, Figure, type Missing } from "./figure";
 import { bands, baseLayout, largest, palette, scaled, stacked } from "./layout";
 
@@ -11,7 +11,7 @@ export function footFigures(context: Context): Figure[] {
   const figure = (id: string, title: string, note: string, draw: typeof drawErrors): Figure =>
     new Figure({ id, title, note, timeAxes: ["xaxis"], fileName: () => fileName(context, id), draw: async (theme) => draw(context, await loadShown(context, theme), theme) });
   return [
-    figure("foot_error", "Foot error", "norm of foot minus its reference; swing phases shaded", drawErrors),
+    figure("foot_error", "Foot error", "norm of the foot\u2019s distance: in swing from the spline, in stance from the planned foothold; swing phases shaded", drawErrors),
     figure("grf", "Ground reaction force, vertical", "measured (line) against commanded (dots), of the observer in detail", drawForces),
   ];
 }
@@ -24,7 +24,9 @@ function drawErrors(context: Context, shown: Shown[], theme: Theme): Drawing | M
   const phases = focused(shown, context.selection)!.trace.info.swings;
   kLegs.forEach((leg, i) => {
     const lines = shown.flatMap((s) => errorLine(s, leg, names[i]!, i === 0));
-    const top = 1.08 * Math.max(1e-3, ...lines.filter((l) => l.fall === null).map((l) => l.largest));
+    // As of the other errors: the last second before a fall would press all else flat.
+    const standing = Math.max(...lines.map((l) => l.standing));
+    const top = 1.08 * Math.max(1e-3, standing > 0.01 ? standing : Math.max(...lines.map((l) => l.largest))); // fell at once
     data.push(bands(phases[leg] ?? [], 0, top, { name: "swing", color: palette(theme).shade, yaxis: names[i]!, legend: i === 0 }));
     data.push(...lines.map((l) => l.line));
     Object.assign(layout[i === 0 ? "yaxis" : `yaxis${i + 1}`] as object, top > 0.01 ? { range: [0, top] } : {});
@@ -50,7 +52,7 @@ function errorLine(s: Shown, leg: string, yaxis: string, first: boolean) {
     line: { color: s.style.color, dash: s.style.dash, width: 1.2 },
     hovertemplate: `%{y:.3~g} mm<extra>${s.short}</extra>`,
   };
-  return [{ line, largest: largest(y), name: s.short, fall: s.fall }];
+  return [{ line, largest: largest(y), standing: largest(y, pointsBefore(s, y.length)), name: s.short }];
 }
 
 function drawForces(context: Context, shown: Shown[], theme: Theme): Drawing | Missing {

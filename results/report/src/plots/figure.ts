@@ -9,6 +9,7 @@ export interface Drawing {
   data: PlotTrace[];
   layout: PlotLayout;
   summary: string; // the text alternative, from the data
+  note?: string; // instead of the figure's own
   height: number;
   end?: number; // of the time axes [s]
 }
@@ -41,6 +42,7 @@ export class Figure {
   readonly element: HTMLElement;
   private readonly host = h("div", { class: "plot" });
   private readonly frame: HTMLElement;
+  private readonly note = h("span", { class: "note" });
   private readonly cursors: HTMLElement[];
   private readonly buttons: HTMLElement;
   private plotly: Plotly | null = null;
@@ -53,13 +55,14 @@ export class Figure {
 
   constructor(private readonly options: FigureOptions) {
     const { id, title, note } = options;
+    this.note.textContent = note ?? "";
     this.cursors = (options.timeAxes ?? []).map(() => h("div", { class: "cursor", hidden: true }));
     this.frame = h("div", { class: "plot-frame", role: "img", "aria-label": title }, this.host, ...this.cursors);
     this.buttons = h("span", { class: "downloads" }, this.download("svg"), this.download("png"));
     this.element = h(
       "figure",
       { class: "figure", "data-plot": id },
-      h("figcaption", {}, h("h4", {}, title), note && h("span", { class: "note" }, note), this.buttons),
+      h("figcaption", {}, h("h4", {}, title), this.note, this.buttons),
       this.frame,
     );
     figures.set(this.frame, this);
@@ -101,6 +104,7 @@ export class Figure {
     this.frame.setAttribute("aria-label", `${this.options.title}. ${drawing.summary}`);
     if (!this.plot) replaceContent(this.host);
     this.buttons.hidden = false;
+    if (drawing.note !== undefined) this.note.textContent = drawing.note;
     const layout = this.fit(drawing, width);
     const plot = await this.plotly.react(this.host, drawing.data, layout, { displayModeBar: false, responsive: false, showTips: false, doubleClick: false });
     if (!this.plot) this.listen(plot);

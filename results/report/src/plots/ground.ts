@@ -1,7 +1,7 @@
 // The ground from above at the cursor's time: support polygon, feet, ZMP reference and centre of pressure.
 import type { PlotTrace } from "./plotly";
 import type { Report } from "../data";
-import { footPositions, hull, type Point } from "../kinematics";
+import { footPositions, hull, kNoRobot, type Point } from "../kinematics";
 import { type Theme, time } from "../state";
 import { type Context, fileName, focused, loadShown, noTrace, type Shown } from "./context";
 import { type Drawing, Figure, type Missing } from "./figure";
@@ -30,6 +30,7 @@ export function groundFigure(context: Context): Figure {
 
 function draw(context: Context, s: Shown | undefined, theme: Theme, width: number): Drawing | Missing {
   if (!s) return noTrace(context);
+  if (!context.report.robot) return { missing: `${kNoRobot} Without it nothing says where the feet are.` };
   const { rate_Hz, frames } = s.trace.info.replay;
   const k = Math.min(frames - 1, Math.max(0, Math.round(time.get() * rate_Hz)));
   const c = palette(theme);
@@ -84,7 +85,7 @@ function lastOnly(points: readonly Point[], symbol: string, color: string): obje
 
 function feetAt(report: Report, s: Shown, k: number): { leg: string; at: Point; stands: boolean }[] {
   const positions = footPositions(report.robot, s.trace, k);
-  if (!positions) return [];
+  if (!positions || !report.robot) return [];
   return report.robot.feet.map((foot, i) => {
     const stance = s.trace.replay(`${foot.leg}/stance`)?.[k] ?? NaN;
     return { leg: foot.leg, at: [positions[i]![0], positions[i]![1]], stands: stance > 0.5 };

@@ -3,7 +3,7 @@ import type { PlotLayout, PlotTrace } from "./plotly";
 import { observerStyles, type ObserverStyle } from "../colors";
 import type { Cell, ObserverInfo, Report, Row } from "../data";
 import { type Metric, plural, shortName, significant } from "../format";
-import { type Interval, kLeastForInterval, median, wilson } from "../interval";
+import { type Interval, kLeastForInterval, median } from "../interval";
 import { value } from "../summary";
 import type { Theme } from "../state";
 import type { Drawing, Missing } from "./figure";
@@ -153,9 +153,8 @@ export function drawFalls(scope: Scope, theme: Theme, width: number): Drawing | 
     const own = scope.rows.filter((row) => row.observer_id === lane.observer.id);
     const runs = own.reduce((sum, row) => sum + row.runs, 0);
     const fell = own.reduce((sum, row) => sum + row.falls, 0);
-    const only = own.length === 1 ? own[0]! : null;
-    const interval = only ? only.falls_ci95 : wilson(fell, runs);
-    return runs > 0 ? [{ lane, runs, fell, interval }] : [];
+    const interval = own.length === 1 ? own[0]!.falls_ci95 : null; // falls of several variants are no independent draws
+    return runs > 0 ? [{ lane, runs, fell, interval, pooled: own.length > 1 }] : [];
   });
   if (drawn.length === 0) return { missing: `No finished run in ${scope.name}.` };
   const text = (d: (typeof drawn)[number]): string =>
@@ -168,8 +167,12 @@ export function drawFalls(scope: Scope, theme: Theme, width: number): Drawing | 
     yaxis: laneAxis(theme, list, (lane) => `${lane.name} <b>${counted.get(lane) ?? ""}</b>`),
     xaxis: axis(theme, "share of runs that fell [%]", { range: [-3, 103], zeroline: false }),
   });
-  return { data, layout, height: laneHeight(list), summary: `${scope.name}. ${drawn.map(text).join("; ")}.` };
+  const none = drawn.some((d) => d.pooled) ? ` ${kNoInterval}` : "";
+  return { data, layout, height: laneHeight(list), summary: `${scope.name}. ${drawn.map(text).join("; ")}.${none}`, note: `share of runs that fell.${none || kInterval}` };
 }
+
+const kInterval = " Wilson interval, 95 %; none below 8 runs";
+const kNoInterval = "No interval where runs are of several variants: their falls are no independent draws.";
 
 function percent(share: number): string {
   return `${(100 * share).toFixed(0)} %`;

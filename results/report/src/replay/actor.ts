@@ -1,7 +1,8 @@
 // One run on the stage: its robot, what is drawn around it, its blocks.
 import { Group, Vector3 } from "three";
-import type { Cell, Report, Trace } from "../data";
-import { seconds } from "../format";
+import type { Cell, Report, Robot, Trace } from "../data";
+import { millimetres, seconds } from "../format";
+import { blocksOf } from "../terrain";
 import { Blocks } from "./ground";
 import { kOverlayNames, Overlays, type OverlayName, type Scales } from "./overlays";
 import { Recording } from "./recording";
@@ -14,6 +15,7 @@ const other = new Vector3();
 export class Actor {
   readonly object = new Group();
   readonly recording: Recording;
+  readonly note: string; // what of its ground is not drawn, and why
   private readonly robot: RobotModel;
   private readonly overlays: Overlays;
   private readonly blocks: Blocks;
@@ -22,6 +24,7 @@ export class Actor {
 
   constructor(
     data: Report,
+    robot: Robot,
     trace: Trace,
     readonly label: string,
     readonly color: string,
@@ -29,9 +32,11 @@ export class Actor {
   ) {
     this.cell = data.cells[trace.info.cell];
     this.recording = new Recording(trace, trace.info.replay);
-    this.robot = new RobotModel(data.robot);
+    this.robot = new RobotModel(robot);
     this.overlays = new Overlays(this.robot, this.recording, scales);
-    this.blocks = new Blocks(data.scenarios.find((s) => s.id === trace.info.scenario_id)?.boxes ?? []);
+    const { boxes, note } = blocksOf(data, trace.info);
+    this.note = note;
+    this.blocks = new Blocks(boxes);
     this.object.add(this.robot.root, this.overlays.object, this.blocks.object);
   }
 
@@ -76,8 +81,8 @@ export class Actor {
     const parts: string[] = [];
     const { recording } = this;
     if (recording.vector("com", "m", com)) {
-      if (recording.vector("com_reference", "m", other)) parts.push(`CoM error ${millimetres(com.distanceTo(other))}`);
-      if (recording.vector("path", "m", other)) parts.push(`path error ${millimetres(Math.hypot(com.x - other.x, com.y - other.y))}`);
+      if (recording.vector("com_reference", "m", other)) parts.push(`CoM error ${this.error("com_error_m", com.distanceTo(other))}`);
+      if (recording.vector("path", "m", other)) parts.push(`path error ${this.error("path_error_m", Math.hypot(com.x - other.x, com.y - other.y))}`);
     }
     if (recording.vector("trunk", "m", com)) parts.push(`trunk at ${com.toArray().map((x) => x.toFixed(2)).join(", ")} m`);
     const pushed = recording.vector("applied/point", "m", com);
@@ -86,14 +91,16 @@ export class Actor {
     return [...(fall ? [fall] : []), ...parts].join(", ");
   }
 
+  /** As the plots have it; without them from the replay's positions, whose steps of 0.5 mm give whole millimetres. */
+  private error(signal: string, replayed_m: number): string {
+    const plotted = this.recording.plotted(signal);
+    return `${Number.isFinite(plotted) ? millimetres(plotted) : (1e3 * replayed_m).toFixed(0)} mm`;
+  }
+
   dispose(): void {
     this.robot.dispose();
     this.overlays.dispose();
     this.blocks.dispose();
     this.object.removeFromParent();
   }
-}
-
-function millimetres(x_m: number): string {
-  return `${(1000 * x_m).toFixed(1)} mm`;
 }

@@ -2,8 +2,9 @@
 import {
   type BufferGeometry, CircleGeometry, Group, Mesh, MeshBasicMaterial, MeshStandardMaterial, type Object3D, RingGeometry, SphereGeometry, Vector3,
 } from "three";
+import type { Trace } from "../data";
 import { Arrow } from "./arrow";
-import type { Recording } from "./recording";
+import { Recording } from "./recording";
 import type { RobotModel } from "./robot_model";
 import { SupportPolygon } from "./support_polygon";
 import { Trail } from "./trail";
@@ -182,8 +183,18 @@ function disc(geometry: BufferGeometry, color: number): Disc {
   return new Mesh(geometry, new MeshBasicMaterial({ color, transparent: true, depthWrite: false }));
 }
 
-/** A round number of newtons per metre with which the longest arrow is at most `longest` m. */
-export function roundScale(largest_N: number, longest: number): number {
+/**
+ * One for all runs that stand side by side: no true disturbance is longer than 0.6 m (an estimate that is larger than the
+ * truth can be); ground reaction forces have a metre per 250 N.
+ */
+export function scalesFor(traces: Trace[]): Scales {
+  const recordings = traces.map((trace) => new Recording(trace, trace.info.replay));
+  const disturbance = Math.max(20, ...recordings.map((recording) => recording.largest("applied/force", "N")));
+  return { contact: 250, disturbance: roundScale(disturbance, 0.6) };
+}
+
+/** A round number of newtons per metre with which an arrow of `largest_N` is at most `longest` m. */
+function roundScale(largest_N: number, longest: number): number {
   const least = largest_N / longest;
   for (let power = 1; ; power *= 10) {
     for (const digit of [1, 2, 5]) if (digit * power >= least) return digit * power;

@@ -58,6 +58,14 @@ export class Recording {
     return Number.isNaN(to) ? from : from + (to - from) * this.weight;
   }
 
+  /** The plots' value nearest to the present time; NaN without one. */
+  plotted(name: string): number {
+    const { bucket_s } = this.trace.info.plots;
+    const values = this.trace.plot(name);
+    const at = Math.floor((this.first + this.weight) / this.rate / (0.5 * bucket_s));
+    return values?.[Math.min(at, values.length - 1)] ?? NaN;
+  }
+
   flag(name: string): boolean {
     return (this.column(name)?.[this.first] ?? 0) > 0.5;
   }

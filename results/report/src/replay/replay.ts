@@ -1,15 +1,15 @@
 // The 3D replay of one or two runs: shows the shared time, and moves it while it plays.
 import { Vector3 } from "three";
 import { loadTrace, type Report, type Trace } from "../data";
+import { kNoRobot } from "../kinematics";
 import { theme, time } from "../state";
 import { Actor } from "./actor";
 import { AxesGizmo } from "./axes_gizmo";
 import { type CameraPreset, FollowCamera } from "./camera";
 import { caption } from "./caption";
 import { Controls, type ReplayActions } from "./controls";
-import { kOverlayNames, kOverlays, overlayColor, type OverlayName, roundScale, type Scales } from "./overlays";
+import { kOverlayNames, kOverlays, overlayColor, type OverlayName, scalesFor } from "./overlays";
 import { download, pictureOf } from "./picture";
-import { Recording } from "./recording";
 import { NoWebGl, Stage, type View } from "./scene";
 
 export interface Shown {
@@ -27,6 +27,7 @@ export class Replay implements ReplayActions {
   private readonly root = document.createElement("div");
   private readonly picture = document.createElement("div");
   private readonly captions = document.createElement("div");
+  private readonly note = document.createElement("p"); // what of the ground is not drawn
   private readonly controls = new Controls(this);
   private readonly ends: (() => void)[] = [];
   private readonly stage: Stage | null;
@@ -59,7 +60,9 @@ export class Replay implements ReplayActions {
     this.stage.canvas.tabIndex = 0;
     this.stage.canvas.setAttribute("role", "img");
     this.picture.append(this.stage.canvas, this.captions);
-    this.root.append(this.picture, this.controls.bar, this.controls.values, this.controls.legend);
+    this.note.className = "replay-note";
+    this.note.hidden = true;
+    this.root.append(this.picture, this.note, this.controls.bar, this.controls.values, this.controls.legend);
     this.listen(this.stage.canvas);
     this.stage.paint(theme.get() === "dark");
   }
@@ -138,6 +141,7 @@ export class Replay implements ReplayActions {
     this.draw(t, kPicture.width, kPicture.height, 1);
     const lines = [`${this.title}, t = ${t.toFixed(2)} s. ${this.controls.scales}`];
     for (const actor of this.actors) lines.push(`${actor.label}: ${actor.values(t)}`);
+    lines.push(...this.notes());
     const ownColor = this.actors[0]?.color ?? "#777777";
     const keys = [...this.overlays].map((name) => ({ label: kOverlays[name].label, color: overlayColor(name) ?? ownColor }));
     const picture = pictureOf(this.stage.canvas, lines, keys, theme.get() === "dark"); // copies it before the next line
@@ -174,11 +178,13 @@ export class Replay implements ReplayActions {
 
   private makeStage(): Stage | null {
     try {
+      if (!this.data.robot) throw new Error(kNoRobot);
       return new Stage();
     } catch (error) {
       const sentence = document.createElement("p");
       sentence.className = "replay-none";
-      sentence.textContent = `No replay: ${error instanceof Error ? error.message : String(error)} The plots do not need it.`;
+      const plots = this.data.robot ? " The plots do not need it." : "";
+      sentence.textContent = `No replay: ${error instanceof Error ? error.message : String(error)}${plots}`;
       this.root.append(sentence);
       return null;
     }
@@ -202,16 +208,24 @@ export class Replay implements ReplayActions {
   }
 
   private stageRuns(traces: Shown[], loaded: Trace[]): void {
+    const { robot } = this.data;
+    if (!robot) return; // nor is there a stage
     for (const actor of this.actors) actor.dispose();
     const scales = scalesFor(loaded);
-    this.actors = loaded.map((trace, i) => new Actor(this.data, trace, traces[i]?.label ?? "", traces[i]?.color ?? "#777777", scales));
+    this.actors = loaded.map((trace, i) => new Actor(this.data, robot, trace, traces[i]?.label ?? "", traces[i]?.color ?? "#777777", scales));
     for (const actor of this.actors) this.stage?.scene.add(actor.object);
     this.title = [...new Set(loaded.map((trace) => trace.info.scenario_id))].join(", ");
     const scenario = this.data.scenarios.find((s) => s.id === loaded[0]?.info.scenario_id);
     this.camera?.lookFromLeft(scenario?.metric_leg.startsWith("L") ?? false);
+    this.note.textContent = this.notes().join(" ");
+    this.note.hidden = this.note.textContent === "";
     this.controls.setLength(this.end, this.rate);
     this.controls.setScales(scales.contact, scales.disturbance);
     this.controls.setFollow(this.camera?.following ?? true);
+  }
+
+  private notes(): string[] {
+    return [...new Set(this.actors.map((actor) => actor.note))].filter((note) => note !== "");
   }
 
   private setPlaying(playing: boolean): void {
@@ -287,11 +301,4 @@ export class Replay implements ReplayActions {
     const names = this.actors.map((actor) => `${actor.label}${actor.fall(t) ? `, ${actor.fall(t)}` : ""}`);
     this.stage?.canvas.setAttribute("aria-label", `3D replay of ${this.title}: ${names.join("; ")}`);
   }
-}
-
-// The longest arrows are 0.6 m; one scale for all runs that stand side by side.
-function scalesFor(traces: Trace[]): Scales {
-  const recordings = traces.map((trace) => new Recording(trace, trace.info.replay));
-  const disturbance = Math.max(20, ...recordings.map((recording) => recording.largest("applied/force", "N")));
-  return { contact: 250, disturbance: roundScale(disturbance, 0.6) };
 }

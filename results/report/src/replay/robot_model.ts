@@ -7,12 +7,8 @@ import {
   SphereGeometry, Vector3,
 } from "three";
 import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
-import type { Report } from "../data";
+import type { Link, Robot, Shape } from "../data";
 import type { Recording } from "./recording";
-
-type Robot = Report["robot"];
-type Link = Robot["links"][number];
-type Shape = Link["shapes"][number];
 
 const kLinkNames = ["hip", "upper", "lower"]; // of a leg, from the trunk outwards
 
