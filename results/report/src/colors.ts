@@ -49,13 +49,13 @@ interface Named {
   oracle: boolean;
 }
 
-// Styles by observer id. Profiles of one observer share its colour and differ by dash; no two of up to
+// Styles by observer id. Profiles of one observer share its colour and differ by dash, tuned or the only one solid; no two of up to
 // 24 observers without a name above share both.
 export function observerStyles(observers: readonly Named[], theme: Theme): Map<string, ObserverStyle> {
   const others = theme === "dark" ? kOthersDark : kOthers;
   const names = [...new Set(observers.map((o) => o.observer))];
   const unnamed = names.filter((name) => !(name in kNamed) && name !== "oracle_full");
-  const profiles = [...new Set(observers.map((o) => o.profile))].filter((p) => p !== "-").sort(tunedFirst);
+  const profilesOf = (name: string) => observers.filter((o) => o.observer === name).map((o) => o.profile).sort(tunedFirst);
   const styles = new Map<string, ObserverStyle>();
   for (const o of observers) {
     const i = unnamed.indexOf(o.observer); // -1: it has a colour of its own
@@ -64,7 +64,7 @@ export function observerStyles(observers: readonly Named[], theme: Theme): Map<s
         ? kOracle[theme]
         : (kNamed[o.observer] ?? others[i % others.length] ?? "#777777");
     const round = Math.max(0, Math.floor(i / others.length)) % kDashes.length;
-    const dash = kDashes[round]![o.oracle ? 3 : Math.max(0, profiles.indexOf(o.profile)) % 3]!;
+    const dash = kDashes[round]![o.oracle ? 3 : profilesOf(o.observer).indexOf(o.profile) % 3]!;
     const symbol = kSymbols[o.observer] ?? kOtherSymbols[i % kOtherSymbols.length] ?? "circle";
     styles.set(o.id, { color, dash, symbol });
   }

@@ -76,4 +76,16 @@ export function selectScenario(report: Report, selection: Selection, id: string)
   const seeds = report.traces.filter((t) => t.scenario_id === id && t.setting === selection.setting.get()).map((t) => t.seed);
   if (seeds.length > 0 && !seeds.includes(selection.seed.get())) selection.seed.set(seeds[0]!);
   selection.scenario.set(id);
+  showItsOwn(report, selection);
+}
+
+// A scenario with observers of its own, in another profile than the one that is shown, has them all shown.
+function showItsOwn(report: Report, selection: Selection): void {
+  const competes = (id: string): boolean => report.observers.some((o) => o.id === id && !o.oracle && o.observer !== "none");
+  const own = tracesOf(report, selection).map((t) => t.info.observer_id);
+  const shown = selection.shown.get();
+  const first = own.find(competes);
+  if (first === undefined || own.some((id) => competes(id) && shown.has(id))) return;
+  selection.shown.set(new Set([...shown, ...own]));
+  selection.focus.set(first);
 }

@@ -215,6 +215,24 @@ test("the page begins with the setting and the seed of the first time series, an
   assert.equal(variantToShow(report, 0, "s", "s/y", "a"), "s/y");
 });
 
+test("a scenario whose observers were run in another profile only has them shown", async () => {
+  const { makeSelection, selectScenario, shownTraces } = await load("selection");
+  const observer = (name, profile) => ({ id: `${name}@${profile}`, observer: name, profile, oracle: false });
+  const trace = (scenario_id, observer_id) => ({ scenario_id, observer_id, setting: 0, seed: 1 });
+  const report = {
+    settings: [{ id: 0 }], run: { seeds: [1] }, scenarios: [{ id: "s" }, { id: "study" }],
+    observers: [observer("a", "tuned"), observer("a", "paper"), observer("b", "paper")], rows: [],
+    traces: [trace("s", "a@tuned"), trace("s", "a@paper"), trace("study", "b@paper")],
+  };
+  const selection = makeSelection(report);
+  assert.deepEqual([...selection.shown.get()], ["a@tuned"]);
+  selectScenario(report, selection, "study");
+  assert.deepEqual(shownTraces(report, selection).map((t) => t.info.observer_id), ["b@paper"]);
+  assert.equal(selection.focus.get(), "b@paper");
+  selectScenario(report, selection, "s");
+  assert.deepEqual(shownTraces(report, selection).map((t) => t.info.observer_id), ["a@tuned"]);
+});
+
 test("the replay tells the plots' value at its time", async () => {
   const { Recording } = await load("replay/recording");
   const info = { plots: { bucket_s: 0.4 } };
