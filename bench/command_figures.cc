@@ -6,6 +6,7 @@
 #include "bench/commands.h"
 #include "bench/gnuplot_process.h"
 #include "results/figures.h"
+#include "results/whole_file.h"
 
 namespace dob {
 namespace {
@@ -34,7 +35,7 @@ int draw(Arguments arguments) {
   FigureCells cells(arguments.dir, read_run(arguments.dir), arguments.request);
   const std::vector<MadeFigure> figures = make_figures(set, cells);
   write_figures(figures, arguments.format, arguments.out);
-  write_text(arguments.out / "index.md", figure_index(figures, arguments.format, arguments.dir));
+  write_whole_file(arguments.out / "index.md", figure_index(figures, arguments.format, arguments.dir));
   try {
     for (const MadeFigure& made : figures) {
       if (made.figure) run_gnuplot(arguments.out, made.spec->id + ".gp");

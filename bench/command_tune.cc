@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <fstream>
 #include <memory>
 #include <thread>
 #include <unistd.h>
@@ -9,7 +8,7 @@
 #include "bench/build_info.h"
 #include "bench/commands.h"
 #include "bench/tuning.h"
-#include "results/store.h"
+#include "results/whole_file.h"
 #include "scenarios/loader.h"
 
 namespace dob {
@@ -21,13 +20,6 @@ struct Arguments {
   std::filesystem::path out;
   BatchOptions options;
 };
-
-void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text;
-  out.close();
-  if (!out) throw StoreError(fmt::format("{}: cannot be written", file.string()));
-}
 
 std::string search_log(const std::vector<TuningResult>& results) {
   std::string text = "specification;runs;falls;score;com_error_max_mean_m;foot_error_max_mean_m\n";
@@ -50,7 +42,7 @@ int run(Arguments& arguments) {
     int stop_signal = 0;
     const std::vector<TuningResult> results = tune(observer, arguments.budget, arguments.options, stop_signal);
     if (stop_signal != 0) return kExitSignal + stop_signal;
-    write(arguments.out / (observer + ".csv"), search_log(results));
+    write_whole_file(arguments.out / (observer + ".csv"), search_log(results));
     const TuningResult& winner = *std::min_element(
         results.begin(), results.end(), [](const TuningResult& a, const TuningResult& b) { return a.better_than(b); });
     fmt::print(
@@ -61,11 +53,12 @@ int run(Arguments& arguments) {
         1e3 * results.front().com_error_max, 1e3 * results.front().foot_error_max);
     best.push_back(load_observer(winner.specification, procedure.profile));
     // After every observer, so that an interrupted search keeps what it has found.
-    write(arguments.out / "tuned.toml",
-          fmt::format("# Each observer's best of {} candidates by the procedure in config/tuning.toml. Written by\n"
-                      "#   {}\n# with dobbench {}, commit {}; the searches' logs: results/tuning/.\n\n{}",
-                      arguments.budget, arguments.options.command_line, build.version, build.commit,
-                      profile_toml(best, procedure.profile)));
+    write_whole_file(
+        arguments.out / "tuned.toml",
+        fmt::format("# Each observer's best of {} candidates by the procedure in config/tuning.toml. Written by\n"
+                    "#   {}\n# with dobbench {}, commit {}; the searches' logs: results/tuning/.\n\n{}",
+                    arguments.budget, arguments.options.command_line, build.version, build.commit,
+                    profile_toml(best, procedure.profile)));
   }
   fmt::print("profile: {}\n", (arguments.out / "tuned.toml").string());
   return kExitOk;

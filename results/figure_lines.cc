@@ -1,8 +1,9 @@
 #include "results/figure_lines.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "results/extremes.h"
 
 namespace dob {
 namespace {
@@ -46,18 +47,11 @@ FigureSeries combine(const Trace& trace, const std::vector<std::string>& signals
 
 // Points of one bucket: those of the smallest and the largest value, or one NaN where there is none.
 void add_extremes(const FigureSeries& in, std::size_t begin, std::size_t end, FigureSeries& out) {
-  std::size_t low = end;
-  std::size_t high = end;
-  for (std::size_t i = begin; i < end; ++i) {
-    if (!std::isfinite(in.value[i])) continue;
-    if (low == end || in.value[i] < in.value[low]) low = i;
-    if (high == end || in.value[i] > in.value[high]) high = i;
-  }
-  if (low == end) low = high = begin;
-  for (const std::size_t i : {std::min(low, high), std::max(low, high)}) {
+  const auto [first, second] = extremes(in.value, begin, end);
+  for (const std::size_t i : {first, second}) {
     out.t.push_back(in.t[i]);
     out.value.push_back(in.value[i]);
-    if (low == high) break;
+    if (first == second) break;
   }
 }
 

@@ -1,7 +1,6 @@
 #include "results/figures.h"
 
 #include <algorithm>
-#include <fstream>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 #include "results/figure_robot.h"
 #include "results/figure_summary.h"
 #include "results/table_cells.h"
+#include "results/whole_file.h"
 #include "scenarios/input_error.h"
 
 namespace dob {
@@ -84,13 +84,6 @@ std::vector<MadeFigure> make_figures(const FigureSet& set, FigureCells& cells) {
   return figures;
 }
 
-void write_text(const fs::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw StoreError(fmt::format("{}: cannot be written", file.string()));
-}
-
 void write_figures(const std::vector<MadeFigure>& figures, FigureFormat format, const fs::path& out) {
   std::error_code error;
   fs::create_directories(out, error);
@@ -98,8 +91,8 @@ void write_figures(const std::vector<MadeFigure>& figures, FigureFormat format, 
   for (const MadeFigure& made : figures) {
     if (!made.figure) continue;
     const GnuplotFiles files = gnuplot_files(*made.figure, format);
-    write_text(out / (made.spec->id + ".dat"), files.data);
-    write_text(out / (made.spec->id + ".gp"), files.script);
+    write_whole_file(out / (made.spec->id + ".dat"), files.data);
+    write_whole_file(out / (made.spec->id + ".gp"), files.script);
   }
 }
 

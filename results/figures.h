@@ -29,7 +29,4 @@ void write_figures(const std::vector<MadeFigure>& figures, FigureFormat format, 
 std::string figure_index(const std::vector<MadeFigure>& figures, FigureFormat format,
                          const std::filesystem::path& run_directory);
 
-// Throws StoreError.
-void write_text(const std::filesystem::path& file, const std::string& text);
-
 }  // namespace dob

@@ -8,6 +8,7 @@
 #include "results/report_robot.h"
 #include "results/report_terrain.h"
 #include "results/report_traces.h"
+#include "results/whole_file.h"
 
 namespace dob {
 namespace {

@@ -3,7 +3,6 @@
 #include <fstream>
 #include <iterator>
 #include <string_view>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -44,19 +43,6 @@ std::string PageTemplate::with(const Json& data, const std::vector<std::string>&
   std::string page = before_ + data_element(data);
   for (std::size_t i = 0; i < traces.size(); ++i) page += trace_element(i, traces[i]);
   return page + after_;
-}
-
-void write_whole_file(const fs::path& file, const std::string& text) {
-  const fs::path part = file.string() + ".part";
-  std::ofstream out(part, std::ios::binary);
-  out << text;
-  out.close();
-  std::error_code error;
-  if (out) fs::rename(part, file, error);
-  if (out && !error) return;
-  std::error_code ignored;
-  fs::remove(part, ignored);
-  throw StoreError(fmt::format("{}: cannot be written{}", file.string(), error ? ": " + error.message() : ""));
 }
 
 }  // namespace dob

@@ -26,7 +26,4 @@ class PageTemplate {
   std::string before_, after_;
 };
 
-// Complete or not at all: an older file stays until then. Throws StoreError.
-void write_whole_file(const std::filesystem::path& file, const std::string& text);
-
 }  // namespace dob

@@ -63,18 +63,18 @@ Json robot_json(const RobotDescription& robot) {
 }
 
 Json report_robot(const std::vector<ReportScenario>& scenarios, std::vector<std::string>& missing) {
-  const RobotConfig* chosen = nullptr;
+  const ReportScenario* chosen = nullptr;
   for (const ReportScenario& entry : scenarios) {
     if (!entry.scenario) continue;
-    const RobotConfig& robot = entry.scenario->robot;
-    if (chosen == nullptr) chosen = &robot;
-    if (robot.urdf == chosen->urdf && robot.forward == chosen->forward) continue;
+    if (chosen == nullptr) chosen = &entry;
+    const RobotConfig &robot = entry.scenario->robot, &shown = chosen->scenario->robot;
+    if (robot.urdf == shown.urdf && robot.forward == shown.forward) continue;
     missing.push_back(fmt::format("The replays of {} show the robot of {}, which is not the one that walked.",
-                                  case_name(entry.cell), case_name(scenarios.front().cell)));
+                                  case_name(entry.cell), case_name(chosen->cell)));
   }
   if (chosen == nullptr) return {};
   try {
-    return robot_json(load_robot(chosen->urdf, chosen->forward));
+    return robot_json(load_robot(chosen->scenario->robot.urdf, chosen->scenario->robot.forward));
   } catch (const DescriptionError& error) {
     missing.push_back(
         fmt::format("No replay: the robot's description cannot be read ({}).", without_directories(error.what())));

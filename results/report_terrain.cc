@@ -16,20 +16,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Ids of what a batch runs that names no scenario. Empty where the shipped scenarios are not at hand.
+// Names of the scenarios that a batch runs which names none.
 std::set<std::string> paper_set() {
-  std::set<std::string> ids;
+  std::set<std::string> names;
   try {
     for (const ScenarioInfo& info : list_scenarios()) {
-      if (info.set != ScenarioSet::kPaper) continue;
-      for (const Scenario& s : load_scenarios({.name = info.name})) {
-        ids.insert(s.name + (s.variant.empty() ? "" : "/") + s.variant);
-      }
+      if (info.set == ScenarioSet::kPaper) names.insert(info.name);
     }
   } catch (const InputError&) {  // somebody's own scenarios are not right; nothing depends on them here
-    ids.clear();
+    names.clear();
   }
-  return ids;
+  return names;
 }
 
 // The names of the resolved files, by scenario; those of the first setting.
@@ -100,7 +97,7 @@ Json scenarios_json(const std::vector<ReportScenario>& scenarios, const ReportIn
     json["summary"] = s != nullptr ? s->summary : "";
     json["duration_s"] = s != nullptr ? Json(s->duration) : Json();
     json["metric_leg"] = s != nullptr ? metric_leg(*s) : "all";
-    json["set"] = paper.contains(id) ? "paper" : "extra";
+    json["set"] = paper.contains(entry.cell.scenario) ? "paper" : "extra";
     json["seed"] = entry.cell.seed;
     json["setting"] = index.setting(entry.cell);
     json["boxes"] = s != nullptr ? boxes_json(laid_terrain(*s, entry.cell.seed)) : Json::array();

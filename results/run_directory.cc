@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
-#include <fstream>
 #include <string_view>
 #include <sys/stat.h>
 #include <system_error>
@@ -13,6 +12,7 @@
 #include "results/run_database.h"
 #include "results/run_lock.h"
 #include "results/run_plan.h"
+#include "results/whole_file.h"
 
 namespace dob {
 namespace {
@@ -29,13 +29,6 @@ void make_directories(const fs::path& dir) {
   std::error_code error;
   fs::create_directories(dir, error);
   if (error) fail(dir, "cannot create the directory", error.value());
-}
-
-void write_file(const fs::path& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw StoreError(path.string() + ": cannot be written");
 }
 
 // The number that a directory's name is, 0 for any other name.
@@ -97,7 +90,7 @@ void fill_directory(const fs::path& dir, const RunInfo& info, const std::vector<
   fs::remove_all(dir / "scenarios", error);
   make_directories(dir / "scenarios");
   for (const ResolvedScenario& scenario : scenarios) {
-    write_file(dir / "scenarios" / (scenario.name + ".toml"), scenario.toml);
+    write_whole_file(dir / "scenarios" / (scenario.name + ".toml"), scenario.toml);
   }
   with_database(unfinished, [&] {
     SQLite::Database database = create_database(unfinished);

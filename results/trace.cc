@@ -7,13 +7,13 @@
 #include <fstream>
 #include <iterator>
 #include <string_view>
-#include <system_error>
 #include <zlib.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "results/store.h"
+#include "results/whole_file.h"
 #include "results/zlib_stream.h"
 
 namespace dob {
@@ -104,13 +104,7 @@ void write_trace(const fs::path& file, const Trace& trace) {
   append(bytes, kVersion);
   append(bytes, static_cast<std::uint32_t>(text.size()));
   bytes += text + zlib_stream(sorted_bytes(trace.columns), kCompression);
-  const fs::path part = file.string() + ".part";
-  std::ofstream out(part, std::ios::binary);
-  out << bytes;
-  out.close();
-  std::error_code error;
-  if (out) fs::rename(part, file, error);
-  if (!out || error) throw StoreError(fmt::format("{}: cannot be written", file.string()));
+  write_whole_file(file, bytes);
 }
 
 Trace read_trace(const fs::path& file) {

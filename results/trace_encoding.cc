@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
+
+#include "results/extremes.h"
 
 namespace dob {
 namespace {
@@ -50,12 +51,7 @@ std::vector<float> min_max_decimated(const std::vector<float>& column, std::size
   points.reserve(2 * (column.size() / samples + 1));
   for (std::size_t begin = 0; begin < column.size(); begin += samples) {
     const std::size_t end = std::min(begin + samples, column.size());
-    std::size_t smallest = begin, largest = begin;  // a NaN at `begin` gives way to the first value that applies
-    for (std::size_t i = begin; i < end; ++i) {
-      if (std::isnan(column[smallest]) || column[i] < column[smallest]) smallest = i;
-      if (std::isnan(column[largest]) || column[i] > column[largest]) largest = i;
-    }
-    const auto [first, second] = std::minmax(smallest, largest);
+    const auto [first, second] = extremes(column, begin, end);
     points.push_back(column[first]);
     points.push_back(column[second]);
   }

@@ -9,6 +9,7 @@
 #include "bench/signals.h"
 #include "results/figure_gnuplot.h"
 #include "results/figures.h"
+#include "results/whole_file.h"
 #include "test/results/run_samples.h"
 
 namespace dob {
@@ -27,7 +28,7 @@ std::string message_of(const std::filesystem::path& dir, const std::string& scri
 
 TEST(Gnuplot, AScriptThatIsWrongIsAnErrorWithItsName) {
   const test::TemporaryDirectory temporary;
-  write_text(temporary.path() / "bad.gp", "nonsense\n");
+  write_whole_file(temporary.path() / "bad.gp", "nonsense\n");
   EXPECT_THAT(message_of(temporary.path(), "bad.gp"), HasSubstr("bad.gp"));
   EXPECT_THAT(message_of(temporary.path(), "missing.gp"), HasSubstr("missing.gp"));
 }
@@ -47,8 +48,8 @@ TEST(Gnuplot, DrawsHostileNamesAsTheyAre) {
   line.x = line.y = {0.0, 1.0};
   panel.lines = {line};
   const GnuplotFiles files = gnuplot_files(figure, FigureFormat::kSvg);
-  write_text(temporary.path() / "f.gp", files.script);
-  write_text(temporary.path() / "f.dat", files.data);
+  write_whole_file(temporary.path() / "f.gp", files.script);
+  write_whole_file(temporary.path() / "f.dat", files.data);
   EXPECT_EQ(message_of(temporary.path(), "f.gp"), "");
   EXPECT_FALSE(std::filesystem::exists(temporary.path() / "broken"));
   const std::string svg = test::read_text(temporary.path() / "f.svg");

@@ -10,7 +10,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::append_text;
-using test::read_text;
 using test::store_error;
 using ::testing::HasSubstr;
 
@@ -37,20 +36,6 @@ TEST_F(ReportPage, ATemplateHasTheMarkerOnce) {
   EXPECT_THAT(store_error([&] { PageTemplate{file}; }), HasSubstr("<!--REPORT-DATA--> must be there once"));
   append_text(file, "<!--REPORT-DATA-->\n<!--REPORT-DATA-->\n");
   EXPECT_THAT(store_error([&] { PageTemplate{file}; }), HasSubstr("<!--REPORT-DATA--> must be there once"));
-}
-
-TEST_F(ReportPage, AFileIsReplacedAsAWholeOrNotAtAll) {
-  const fs::path page = temporary.path() / "page.html";
-  write_whole_file(page, "first");
-  write_whole_file(page, "second");
-  EXPECT_EQ(read_text(page), "second");
-  EXPECT_FALSE(fs::exists(page.string() + ".part"));
-  EXPECT_THAT(store_error([&] { write_whole_file(temporary.path() / "nowhere" / "page.html", "x"); }),
-              HasSubstr("page.html: cannot be written"));
-  fs::create_directories(temporary.path() / "taken.html" / "by");
-  EXPECT_THAT(store_error([&] { write_whole_file(temporary.path() / "taken.html", "x"); }),
-              HasSubstr("taken.html: cannot be written"));
-  EXPECT_FALSE(fs::exists(temporary.path() / "taken.html.part"));
 }
 
 }  // namespace

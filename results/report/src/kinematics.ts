@@ -63,24 +63,3 @@ function product(a: Rotation, b: Rotation): Rotation {
 function add(a: Vec, b: Vec): Vec {
   return [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 }
-
-export type Point = [number, number];
-
-// Convex hull, counterclockwise (Andrew's monotone chain).
-export function hull(points: readonly Point[]): Point[] {
-  const ordered = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
-  if (ordered.length < 3) return ordered;
-  const half = (list: Point[]): Point[] => {
-    const chain: Point[] = [];
-    for (const p of list) {
-      while (chain.length > 1 && turn(chain[chain.length - 2]!, chain[chain.length - 1]!, p) <= 0) chain.pop();
-      chain.push(p);
-    }
-    return chain.slice(0, -1);
-  };
-  return [...half(ordered), ...half([...ordered].reverse())];
-}
-
-function turn(a: Point, b: Point, c: Point): number {
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}

@@ -259,9 +259,10 @@ test("numbers have three significant digits", async () => {
 });
 
 test("the support polygon is the hull of the feet", async () => {
-  const { hull } = await load("kinematics");
-  assert.deepEqual(hull([[0, 0], [2, 0], [1, 1], [2, 2], [0, 2]]), [[0, 0], [2, 0], [2, 2], [0, 2]]);
-  assert.equal(hull([[0, 0], [1, 1]]).length, 2);
+  const { convexHull } = await load("hull");
+  const [a, b, inside, c, d] = [[0, 0], [2, 0], [1, 1], [2, 2], [0, 2]].map(([x, y]) => ({ x, y }));
+  assert.deepEqual(convexHull([a, b, inside, c, d]), [a, b, c, d]);
+  assert.equal(convexHull([a, inside]).length, 2);
 });
 
 test("a foot is where trunk and joints put it", async () => {

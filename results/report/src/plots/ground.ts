@@ -1,7 +1,8 @@
 // The ground from above at the cursor's time: support polygon, feet, ZMP reference and centre of pressure.
 import type { PlotTrace } from "./plotly";
 import type { Report } from "../data";
-import { footPositions, hull, kNoRobot, type Point } from "../kinematics";
+import { convexHull, type Point } from "../hull";
+import { footPositions, kNoRobot } from "../kinematics";
 import { type Theme, time } from "../state";
 import { type Context, fileName, focused, loadShown, noTrace, type Shown } from "./context";
 import { type Drawing, Figure, type Missing } from "./figure";
@@ -38,19 +39,19 @@ function draw(context: Context, s: Shown | undefined, theme: Theme, width: numbe
   const reference = trail(s, "zmp/reference", k);
   const feet = feetAt(context.report, s, k);
   const standing = feet.filter((foot) => foot.stands);
-  const polygon = hull(standing.map((foot) => foot.at));
+  const polygon = convexHull(standing.map((foot) => foot.at));
   const data: PlotTrace[] = [
     { ...xy([...polygon, ...polygon.slice(0, 1)]), mode: "lines", fill: "toself", fillcolor: c.shade, line: { color: c.muted, width: 1.2 }, name: "support polygon", hoverinfo: "skip" },
     { ...xy(feet.map((foot) => foot.at)), mode: "markers+text", text: feet.map((f) => f.leg), textposition: "top center", textfont: { size: 11, color: c.muted }, marker: { size: 11, symbol: feet.map((f) => (f.stands ? "circle" : "circle-open")), color: c.muted, line: { width: 1.5, color: c.muted } }, name: "feet (open: swing)", hovertemplate: "%{text} %{x:.3f}, %{y:.3f} m<extra></extra>" },
     { ...xy(reference), mode: "lines+markers", line: { color: c.truth, width: 1.2, dash: "dot" }, marker: lastOnly(reference, "cross", c.truth), name: "ZMP reference", hovertemplate: "%{x:.3f}, %{y:.3f} m<extra>ZMP reference</extra>" },
     { ...xy(cop), mode: "lines+markers", line: { color: s.style.color, width: 1.4 }, marker: lastOnly(cop, s.style.symbol, s.style.color), name: `centre of pressure, ${s.short}`, hovertemplate: "%{x:.3f}, %{y:.3f} m<extra>centre of pressure</extra>" },
   ];
-  const at: Point = [replayed(s, "com/x_m", k), replayed(s, "com/y_m", k)];
+  const com = { x: replayed(s, "com/x_m", k), y: replayed(s, "com/y_m", k) };
   const height = Math.min(460, width);
   const layout = baseLayout(theme, {
     hovermode: "closest",
-    xaxis: axis(theme, "x [m]", { range: windowAt(at[0], (width - 70) / (height - 90)), constrain: "domain" }),
-    yaxis: axis(theme, "y [m]", { range: windowAt(at[1], 1), scaleanchor: "x" }),
+    xaxis: axis(theme, "x [m]", { range: windowAt(com.x, (width - 70) / (height - 90)), constrain: "domain" }),
+    yaxis: axis(theme, "y [m]", { range: windowAt(com.y, 1), scaleanchor: "x" }),
   });
   const names = standing.map((foot) => foot.leg).join(", ");
   return { data, layout, height, summary: `${s.short} at ${(k / rate_Hz).toFixed(2)} s: ${names ? `${names} on the ground` : "no foot is known to stand"}.` };
@@ -66,7 +67,7 @@ function windowAt(centre: number, aspect: number): [number, number] {
 }
 
 function xy(points: readonly Point[]): PlotTrace {
-  return { type: "scatter", x: points.map((p) => p[0]), y: points.map((p) => p[1]) };
+  return { type: "scatter", x: points.map((p) => p.x), y: points.map((p) => p.y) };
 }
 
 function trail(s: Shown, name: string, k: number): Point[] {
@@ -74,7 +75,7 @@ function trail(s: Shown, name: string, k: number): Point[] {
   if (!x || !y) return [];
   const points: Point[] = [];
   for (let i = Math.max(0, k - Math.round(kTrail_s * s.trace.info.replay.rate_Hz)); i <= k; ++i) {
-    if (Number.isFinite(x[i]) && Number.isFinite(y[i])) points.push([x[i]!, y[i]!]);
+    if (Number.isFinite(x[i]) && Number.isFinite(y[i])) points.push({ x: x[i]!, y: y[i]! });
   }
   return points;
 }
@@ -88,6 +89,6 @@ function feetAt(report: Report, s: Shown, k: number): { leg: string; at: Point; 
   if (!positions || !report.robot) return [];
   return report.robot.feet.map((foot, i) => {
     const stance = s.trace.replay(`${foot.leg}/stance`)?.[k] ?? NaN;
-    return { leg: foot.leg, at: [positions[i]![0], positions[i]![1]], stands: stance > 0.5 };
+    return { leg: foot.leg, at: { x: positions[i]![0], y: positions[i]![1] }, stands: stance > 0.5 };
   });
 }

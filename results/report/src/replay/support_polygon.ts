@@ -2,6 +2,7 @@
 import {
   BufferAttribute, BufferGeometry, DoubleSide, DynamicDrawUsage, Group, Mesh, MeshBasicMaterial, type Vector3,
 } from "three";
+import { convexHull } from "../hull";
 
 const kMost = 4; // corners
 const kEdge = 0.006; // [m] half the width of the edge
@@ -64,24 +65,4 @@ function flat(color: number, opacity: number, corners: number): Mesh<BufferGeome
   const mesh = new Mesh(geometry, material);
   mesh.frustumCulled = false;
   return mesh;
-}
-
-/** Seen from above, counter-clockwise (Andrew's monotone chain). */
-export function convexHull(points: Vector3[]): Vector3[] {
-  const sorted = [...points].sort((p, q) => p.x - q.x || p.y - q.y);
-  if (sorted.length < 3) return sorted;
-  const chain = (list: Vector3[]) => {
-    const half: Vector3[] = [];
-    for (const p of list) {
-      while (half.length >= 2 && turn(half[half.length - 2]!, half[half.length - 1]!, p) <= 0) half.pop();
-      half.push(p);
-    }
-    half.pop();
-    return half;
-  };
-  return [...chain(sorted), ...chain(sorted.reverse())];
-}
-
-function turn(a: Vector3, b: Vector3, c: Vector3): number {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }

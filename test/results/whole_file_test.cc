@@ -1,0 +1,32 @@
+#include "results/whole_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "test/results/run_samples.h"
+
+namespace dob {
+namespace {
+
+namespace fs = std::filesystem;
+using test::read_text;
+using test::store_error;
+using ::testing::HasSubstr;
+
+TEST(WholeFile, IsReplacedAsAWholeOrNotAtAll) {
+  const test::TemporaryDirectory temporary;
+  const fs::path page = temporary.path() / "page.html";
+  write_whole_file(page, "first");
+  write_whole_file(page, "second");
+  EXPECT_EQ(read_text(page), "second");
+  EXPECT_FALSE(fs::exists(page.string() + ".part"));
+  EXPECT_THAT(store_error([&] { write_whole_file(temporary.path() / "nowhere" / "page.html", "x"); }),
+              HasSubstr("page.html: cannot be written"));
+  fs::create_directories(temporary.path() / "taken.html" / "by");
+  EXPECT_THAT(store_error([&] { write_whole_file(temporary.path() / "taken.html", "x"); }),
+              HasSubstr("taken.html: cannot be written"));
+  EXPECT_FALSE(fs::exists(temporary.path() / "taken.html.part"));
+}
+
+}  // namespace
+}  // namespace dob
