@@ -4,7 +4,7 @@ JOBS ?= $(shell nproc)
 PAPER_SET = none momentum com_wrench nonlinear_dob momentum_com oracle_full
 WERROR ?= $(if $(DOB_WERROR),$(DOB_WERROR),OFF)
 
-.PHONY: run test build setup paper publish everything batch-smoke order-study format clean
+.PHONY: run test build setup paper publish everything batch-smoke order-study lint coverage mutation tsan format clean
 
 run: build
 	build/bin/dobbench run $(addprefix --observer ,$(PAPER_SET)) --profile paper --profile tuned --seeds 3 --claims --jobs $(JOBS)
@@ -57,6 +57,24 @@ batch-smoke: build
 order-study: build
 	rm -rf build/order-study
 	bench/order_study.sh build/order-study $(JOBS)
+
+# Gates that take too long for every push; last results in docs/quality.md.
+lint: build
+	.ci/setup .ci/packages-checks
+	.ci/check-lint robot observers controller sim scenarios results bench test
+
+coverage: setup
+	.ci/setup .ci/packages-checks
+	test/coverage.sh $(JOBS)
+
+mutation: setup
+	test/mutation/mutate.py --jobs $(JOBS)
+
+tsan: setup
+	cmake --preset tsan -DDOB_WERROR=OFF >/dev/null
+	cmake --build --preset tsan -j $(JOBS) --target robot_test results_test
+	build/tsan/bin/robot_test --gtest_brief=1
+	build/tsan/bin/results_test --gtest_brief=1
 
 format:
 	git ls-files '*.h' '*.cc' | xargs clang-format -i

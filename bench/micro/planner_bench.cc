@@ -15,8 +15,8 @@ struct RecordedPlanning {
   Scenario scenario;
   std::vector<Tick> footsteps;
 
-  explicit RecordedPlanning(const std::string& name) {
-    scenario = load_scenarios({.name = name, .gains = "", .planner = "", .overrides = {}}).front();
+  explicit RecordedPlanning(const std::string& name)
+      : scenario(load_scenarios({.name = name, .gains = "", .planner = "", .overrides = {}}).front()) {
     Trial trial(scenario, load_observer("momentum", "matched"), 1);
     while (trial.time() < scenario.duration) {
       const double t = trial.time();
