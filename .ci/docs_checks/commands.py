@@ -107,6 +107,15 @@ def check_commands(pages, program):
                         yield f"{page.path}:{block.line + offset}: {reason}"
 
 
+def check_lists(page, program):
+    """Every scenario and every observer of the program has a place on its page."""
+    for what, path in (("scenarios", "docs/scenarios.md"), ("observers", "docs/observers.md")):
+        text = "\n".join(line for _, line in page[path].prose)
+        for name in sorted({entry.split("/")[0] for entry in program.names[what]}):
+            if not re.search(rf"(`{name}`|^\| {name} \|)", text, re.M):
+                yield f"{path}: says nothing about {name}"
+
+
 def scratch_copy(binary, files):
     """A copy of the tree whose build/bin is the given one: what a reader has after `make build`."""
     scratch = Path(tempfile.mkdtemp(prefix="check-docs-"))

@@ -1,4 +1,5 @@
-"""What pages refer to: links and anchors, files, tests, and the table that the README prints."""
+"""What pages refer to: links and anchors, files, tests, and the published tables whose figures they print."""
+import json
 import re
 from pathlib import PurePosixPath
 
@@ -114,3 +115,33 @@ def check_printed_table(page, published):
             row = words(line)
             if re.match(r"\w+ (\S+) ([\d.]+|bound) ", row) and row not in rows:
                 yield f"{page.path}:{block.line + offset}: no such row in {published}: {row}"
+
+
+def check_counts(page, published):
+    """The numbers of claims that hold, as the headings of the published table have them."""
+    counts = re.findall(r"Profile (\w+),.*: (\d+) hold, (\d+) do not, (\d+) without data", (ROOT / published).read_text())
+    total = {profile: sum(map(int, n)) for profile, *n in counts}
+    held = {profile: n[0] for profile, *n in counts}
+    text = words(" ".join(line for _, line in page.prose))
+    said = re.search(r"Of (\d+) questions that .*?, (\d+) .*? (\d+) of (\d+) with tuned ones", text)
+    if not said or said.groups() != (str(total["paper"]), held["paper"], held["tuned"], str(total["tuned"])):
+        yield f"{page.path}: the claims that hold are {held} of {total} ({published})"
+
+
+def check_claims(page, claims, published):
+    """The page has every claim of the paper, and the figures that it gives for one are those of the published table."""
+    ids = {i.split("/")[0] for i in re.findall(r'^id = "([^"]+)"', (ROOT / claims).read_text(), re.M)}
+    measured = {i: set() for i in ids}
+    for claim in json.loads((ROOT / published).read_text()):
+        texts = [claim[key] or "" for key in ("measured", "ours_measured", "note", "paper")]
+        measured[claim["id"].split("/")[0]].update(re.findall(r"\d+\.\d+", " ".join(texts)))
+    seen = set()
+    for line, text in page.prose:
+        cells = text.split("|")
+        named = [i for i in re.findall(r"`([\w-]+)`", cells[1] if len(cells) > 3 else "") if i in ids]
+        seen.update(named)
+        for figure in re.findall(r"\d+\.\d+", cells[3]) if named else ():
+            if not any(figure in measured[i] for i in named):
+                yield f"{page.path}:{line}: {figure} is not in {published} for {', '.join(named)}"
+    for missing in sorted(ids - seen):
+        yield f"{page.path}: has no row for the claim `{missing}`"
