@@ -4,7 +4,7 @@ JOBS ?= $(shell nproc)
 PAPER_SET = none momentum com_wrench nonlinear_dob momentum_com oracle_full
 WERROR ?= $(if $(DOB_WERROR),$(DOB_WERROR),OFF)
 
-.PHONY: run test build setup paper publish everything batch-smoke order-study format clean
+.PHONY: run test build setup paper publish everything batch-smoke order-study docs format clean
 
 run: build
 	build/bin/dobbench run $(addprefix --observer ,$(PAPER_SET)) --profile paper --profile tuned --seeds 3 --claims --jobs $(JOBS)
@@ -57,6 +57,11 @@ batch-smoke: build
 order-study: build
 	rm -rf build/order-study
 	bench/order_study.sh build/order-study $(JOBS)
+
+# The API and the pages as HTML, build/docs/html/index.html; every warning is an error. Needs Debian's doxygen.
+docs:
+	docs/doxygen/prepare build/docs/source
+	cd build/docs/source && doxygen docs/Doxyfile
 
 format:
 	git ls-files '*.h' '*.cc' | xargs clang-format -i
