@@ -11,7 +11,7 @@ from pathlib import Path
 from .pages import ROOT
 
 SHELL = ("sh", "bash", "console")
-RUN_LIMIT_S = 300
+RUN_LIMIT_S = 600
 
 
 class Program:
