@@ -19,7 +19,7 @@ class ComTrajectory {
   void append_constant_velocity(double duration) noexcept;
   void append_jerk(double duration, const Vec2& a_start, const Vec2& jerk) noexcept;
 
-  // After the last piece the motion goes on at the final velocity.
+  // At t [s] since reset. After the last piece the motion goes on at the final velocity.
   Motion<Vec2> at(double t) const noexcept;
 
   const Motion<Vec2>& end() const noexcept { return end_; }  // at the end of the last piece
@@ -51,6 +51,7 @@ struct HeightTrajectory {
   static constexpr double kMaxAcceleration = 3.0;  // [m/s^2]
   static HeightTrajectory plan(double z, double v, double target, double shortest) noexcept;
 
+  // Height [m] and its rates along z of W at t [s] since the start.
   Motion<double> at(double t) const noexcept { return cubic_at(t, duration, z, v, target, 0.0); }
 };
 

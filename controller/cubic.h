@@ -5,10 +5,11 @@ namespace dob {
 
 template <typename T>
 struct Motion {
-  T p, v, a;  // position, velocity, acceleration
+  T p, v, a;  // position [m], velocity [m/s], acceleration [m/s^2]; of angles [rad, rad/s, rad/s^2]
 };
 
-// At t > T the motion goes on at the final velocity (zero acceleration). Precondition: duration > 0.
+// t and duration T [s]. At t > T the motion goes on at the final velocity (zero acceleration). Precondition: duration >
+// 0.
 template <typename T>
 Motion<T> cubic_at(double t, double duration, const T& p0, const T& v0, const T& p1, const T& v1) noexcept {
   if (t >= duration) return {T(p1 + v1 * (t - duration)), v1, T(v1 * 0.0)};

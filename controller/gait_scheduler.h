@@ -61,6 +61,7 @@ struct GaitState {
   PerLeg<bool> next_swing{};     // the legs that swing (or are about to) in the present footstep
   double footstep_time = 0.0;    // [s] since the footstep began
 
+  // Leg by its index (LF, RF, LH, RH) in stance; any leg leaving the ground at this tick.
   bool stands(int leg) const noexcept { return phase[leg] == LegPhase::kStance; }
   bool lifts_off() const noexcept { return lift_off[0] || lift_off[1] || lift_off[2] || lift_off[3]; }
 };
@@ -78,6 +79,7 @@ class GaitScheduler {
   // can carry it; a lift-off waits for that as it does for a late foot. The first call after reset begins a footstep.
   const GaitState& update(double dt, const Vec12& foot_force, bool balanced = true) noexcept;
 
+  // As of the last update() or reset().
   const GaitState& state() const noexcept { return state_; }
   const GaitOptions& options() const noexcept { return options_; }
 

@@ -32,6 +32,7 @@ class LocomotionController {
   // Returns the torques [N m] for the next step.
   const WbcTick& update(const ModelTerms& m, const Vec12& foot_force, const DisturbanceEstimate& estimate) noexcept;
 
+  // What the last update() used: schedule, stance set, references, zeta of (12), the reduced problem.
   const GaitState& gait() const noexcept { return gait_.state(); }
   const PerLeg<bool>& stance() const noexcept { return stance_; }
   const MotionReference& reference() const noexcept { return planner_.reference(); }

@@ -30,6 +30,7 @@ struct WbcSolverInfo {
 
 inline constexpr std::string_view kDefaultWbcSolver = "goldfarb_idnani";
 
+// Those that make_wbc_solver() makes, the default first.
 const std::vector<WbcSolverInfo>& wbc_solvers();
 
 // Throws std::invalid_argument naming the solvers there are.

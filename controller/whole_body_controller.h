@@ -36,6 +36,7 @@ class WholeBodyController {
   // Another solver from the next tick on; throws std::invalid_argument for none.
   void use_solver(std::unique_ptr<WbcQpSolver> solver);
 
+  // Forgets the held solution and the active rows: the next update() solves.
   void reset() noexcept;
 
   // Tick number `k` since reset, of dt [s]. The QP runs at options.qp_rate on the grid of ticks (400 Hz at 1 ms: every
@@ -45,6 +46,7 @@ class WholeBodyController {
   WbcTick update(long k, double dt, const ModelTerms& m, const PerLeg<bool>& stance, const MotionReference& reference,
                  const DisturbanceEstimate& estimate) noexcept;
 
+  // Of the last solve that counted; of the last one that was tried.
   const WbcSolution& solution() const noexcept { return solution_; }
   const WbcProblem& last_problem() const noexcept { return qp_.problem(); }
 

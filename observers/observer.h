@@ -26,7 +26,7 @@ enum class EstimateStatus {
 struct Estimate {
   bool has_legs = false;
   Vec12 leg_torque = Vec12::Zero();  // [N m] F_hat = J_j^T f_hat: leg-tip disturbance forces f_hat, seen at the joints,
-                                     // eq (4); tip_forces() of robot/ maps back to f_hat [N]
+                                     // eq (4); footnote 1 maps back to f_hat [N]
   bool has_com = false;
   Vec6 com_wrench = Vec6::Zero();  // [N; N m] disturbance wrench about the CoM, along W
   EstimateStatus status = EstimateStatus::kOk;

@@ -50,6 +50,7 @@ class OptionReader {
  public:
   OptionReader(std::string_view observer, const ObserverOptions& options) : observer_(observer), options_(options) {}
 
+  // true or false; a number within the range, of the key's unit; a whole number from min to max; one of the words.
   bool flag(const std::string& key, bool fallback);
   double number(const std::string& key, double fallback, NumberRange range);
   int integer(const std::string& key, int fallback, int min, int max);

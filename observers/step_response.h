@@ -10,6 +10,8 @@
 
 namespace dob {
 
+// A robot at rest in `pose` whose one channel is disturbed: [N m] of a joint, [N] or [N m] of an axis of the CoM. dt
+// [s] is the tick. `pose` has to outlive it.
 class Probe {
  public:
   Probe(const ModelTerms& pose, Channel channel, double dt) : pose_(pose), channel_(channel), dt_(dt) {}
@@ -27,7 +29,7 @@ class Probe {
   double dt_;
 };
 
-// The answer to a step of `amplitude` that has settled.
+// The answer to a step of `amplitude` [unit of the channel] that has settled.
 struct StepResponse {
   std::vector<double> y;  // estimate over amplitude, at the end of every tick
   double final_value;     // mean over the second half

@@ -68,6 +68,7 @@ struct LanesLegTerms {
   LanesSums sums;
 };
 
+// What one body per lane adds to mass, momentum and bias sums of the robot, about the base origin along W.
 LanesSums body_sums(const LanesBody& body, const LanesMotion& link, const LanesVec3& v_base) noexcept;
 
 // Legs first_leg (lane 0), first_leg + 1 (lane 1) and so on on a base that moves as `base`. Fills links, feet and the

@@ -13,12 +13,13 @@ namespace dob {
 
 class Model {
  public:
+  // Keeps a copy of the description; its inertias must be those of a physical robot (the loader checks).
   explicit Model(const RobotDescription& robot);
 
   // All terms at the given state. Assumes a right-handed orthonormal R_WB and joint angles within 1e5 rad.
   void compute(const RobotState& state, ModelTerms& terms) const noexcept;
 
-  double mass() const noexcept { return mass_; }
+  double mass() const noexcept { return mass_; }  // [kg] of all links
   const RobotDescription& description() const noexcept { return robot_; }
 
  private:

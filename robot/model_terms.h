@@ -1,13 +1,13 @@
 // Every kinematic and dynamic term of the quadruped at one state, and of the paper's eq (1) in CoM coordinates.
 //
-// Full space (reference.md conventions, along the axes of W):  v = [v_WB; omega_WB; qd],
+// Full space, along the axes of W:  v = [v_WB; omega_WB; qd],
 //     M v_dot + h = S^T tau + J^T f,      h = bias forces including gravity.
 // CoM coordinates (Ott et al. 2011, exact, no small-angle or light-leg assumption):
 //     v_c = X (v_b + A qd),   A = M_bb^-1 M_bq,   X shifts the reference point from the base origin to the CoM;
 //     M_com rdd_c + [m g; 0] = J_com^T f          (first six rows of (1); rdd_c = [c_dd; I_c^-1 L_dot])
 //     M_q qdd + c_q          = tau + J_j^T f      (last twelve rows of (1); gravity cancels)
-//     point velocity         = J_com v_c + J_j qd
-//     point acceleration     = J_com rdd_c + J_j qdd + bias
+//     point velocity         = J_com v_c + J_j qd                    (27)
+//     point acceleration     = J_com rdd_c + J_j qdd + bias          (28)
 // The angular part of v_c is the average angular velocity of the whole robot, not the trunk's.
 #pragma once
 

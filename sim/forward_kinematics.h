@@ -24,6 +24,7 @@ struct LinkMotion {
   Vec3 omega = Vec3::Zero();     // [rad/s] along W
 };
 
+// Of every link by its index, from base pose, joint angles and rates; along W.
 std::array<LinkMotion, kLinks> link_motions(const RobotDescription& robot, const RobotState& state) noexcept;
 
 // The description of a link by its index.

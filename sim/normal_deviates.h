@@ -10,6 +10,7 @@ class NormalDeviates {
  public:
   explicit NormalDeviates(const std::mt19937_64& engine) : engine_(engine) {}
 
+  // The next of the sequence [-]; the same engine state gives the same sequence everywhere.
   double next() noexcept;
 
  private:

@@ -30,6 +30,7 @@ class OdeRobot {
   // inertias that are not positive definite.
   OdeRobot(dWorldID world, const RobotDescription& robot, bool joint_stops);
 
+  // Base pose and velocity along W, joint angles [rad] and rates [rad/s], put on and read off the bodies.
   void set_state(const RobotState& state);
   RobotState state() const;
 

@@ -43,6 +43,7 @@ class Sensing {
  public:
   Sensing(const SensingErrors& errors, std::uint64_t seed);
 
+  // To the start of a trial; `initial` is the state that is told until the delay has passed.
   void reset(const RobotState& initial) noexcept;
 
   // After a step: the true state at its end, what the sensors of torque and force say about it and which feet touched.

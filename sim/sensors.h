@@ -10,7 +10,7 @@
 namespace dob {
 
 // Standard deviation of the Gaussian noise on each component, as a fraction of that component's true value
-// (reference.md, case 4n: 0.1). A component that is zero is measured as zero.
+// (case 4 with noise: 0.1). A component that is zero is measured as zero.
 struct SensorNoise {
   double torque_relative = 0.0;
   double foot_force_relative = 0.0;

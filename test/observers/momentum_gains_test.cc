@@ -100,6 +100,21 @@ TEST(MomentumGains, ReversedGainsHaveOneHertzNaturalFrequencyButLessBandwidth) {
   EXPECT_NEAR(bandwidth(kReversed) / (2.0 * std::numbers::pi), 0.573, 5e-4);
 }
 
+// Case 3 pushes for 0.2 s. Step response 1 + sum_k c_0 e^(p_k t) / (p_k prod_(j != k) (p_k - p_j)).
+TEST(MomentumGains, ReversedGainsSeeASeventhOfAPushWithin200Milliseconds) {
+  const std::vector<Complex> p = poles(kReversed);
+  Complex step = 1.0;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    Complex residue = coefficients(kReversed)[0] / p[k];
+    for (std::size_t j = 0; j < p.size(); ++j) {
+      if (j != k) residue /= p[k] - p[j];
+    }
+    step += residue * std::exp(p[k] * 0.2);
+  }
+  EXPECT_NEAR(step.imag(), 0.0, 1e-12);
+  EXPECT_NEAR(step.real(), 0.14, 0.01);
+}
+
 TEST(Routh, ArrayOfThirdOrderIsTheTextbookOne) {
   const RouthArray array = routh(kPrinted);
   const double c2 = 2.25, c1 = 2.25 * 6.28, c0 = 2.25 * 6.28 * 17.5;

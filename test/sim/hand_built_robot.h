@@ -1,4 +1,4 @@
-// DogBot written down by hand in canonical axes (figures: reference.md, section 5), so that the simulator's
+// DogBot written down by hand in canonical axes (figures: the published description), so that the simulator's
 // tests depend neither on the loader nor on the URDF.
 #pragma once
 
