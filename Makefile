@@ -4,11 +4,7 @@ JOBS ?= $(shell nproc)
 PAPER_SET = none momentum com_wrench nonlinear_dob momentum_com oracle_full
 WERROR ?= $(if $(DOB_WERROR),$(DOB_WERROR),OFF)
 
-<<<<<<< HEAD
-.PHONY: run test build setup paper publish everything batch-smoke order-study lint coverage mutation tsan format clean
-=======
-.PHONY: run test build setup paper publish everything batch-smoke order-study docs format clean
->>>>>>> refs/heads/docs
+.PHONY: run test build setup paper publish everything batch-smoke order-study lint coverage mutation tsan docs format clean
 
 run: build
 	build/bin/dobbench run $(addprefix --observer ,$(PAPER_SET)) --profile paper --profile tuned --seeds 3 --claims --jobs $(JOBS)
@@ -62,7 +58,6 @@ order-study: build
 	rm -rf build/order-study
 	bench/order_study.sh build/order-study $(JOBS)
 
-<<<<<<< HEAD
 # Gates that take too long for every push; last results in docs/quality.md.
 lint: build
 	.ci/setup .ci/packages-checks
@@ -80,12 +75,11 @@ tsan: setup
 	cmake --build --preset tsan -j $(JOBS) --target robot_test results_test
 	build/tsan/bin/robot_test --gtest_brief=1
 	build/tsan/bin/results_test --gtest_brief=1
-=======
+
 # The API and the pages as HTML, build/docs/html/index.html; every warning is an error. Needs Debian's doxygen.
 docs:
 	docs/doxygen/prepare build/docs/source
 	cd build/docs/source && doxygen docs/Doxyfile
->>>>>>> refs/heads/docs
 
 format:
 	git ls-files '*.h' '*.cc' | xargs clang-format -i

@@ -4,7 +4,7 @@
     test/mutation/mutate.py [--work build/mutation] [--jobs N] [--only ID ...]   exit code 1: a mutant survived
 
 Each mutant is built and its rooms' tests are run to the first failure. A mutant that does not compile counts as an error of
-the list, not as caught. The result is printed as the Markdown table of docs/mutation-check.md.
+the list, not as caught. The result is printed as the Markdown table of docs/quality.md.
 """
 import argparse
 import pathlib
