@@ -4,6 +4,7 @@ import os
 import re
 import shlex
 import shutil
+import signal
 import subprocess
 import tempfile
 from pathlib import Path
@@ -167,8 +168,15 @@ def run_block(block, scratch):
         command = ["bash", "-euo", "pipefail", "-c", block.text]
     environment = {**os.environ, "HOME": str(scratch)}
     environment.pop("DOBBENCH_SCENARIOS", None)
-    return subprocess.run(command, cwd=scratch, env=environment, text=True, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, timeout=RUN_LIMIT_S)
+    process = subprocess.Popen(command, cwd=scratch, env=environment, text=True, stdout=subprocess.PIPE,
+                               stderr=subprocess.STDOUT, start_new_session=True)
+    try:
+        output, _ = process.communicate(timeout=RUN_LIMIT_S)
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)  # what the shell has started, too
+        process.wait()
+        raise
+    return subprocess.CompletedProcess(command, process.returncode, output)
 
 
 def missing_lines(block, output, path):
