@@ -76,8 +76,9 @@ tsan: setup
 	build/tsan/bin/robot_test --gtest_brief=1
 	build/tsan/bin/results_test --gtest_brief=1
 
-# The API and the pages as HTML, build/docs/html/index.html; every warning is an error. Needs Debian's doxygen.
+# The API and the pages as HTML, build/docs/html/index.html; every warning is an error. Needs doxygen.
 docs:
+	.ci/setup .ci/packages-checks
 	docs/doxygen/prepare build/docs/source
 	cd build/docs/source && doxygen docs/Doxyfile
 

@@ -88,11 +88,9 @@ def check_tests(pages, files):
                 tests.add(f"{suite}.{test}")
             for suite, test in re.findall(r"\bTYPED_TEST(?:_P)?\(\s*(\w+),\s*(\w+)\)", (ROOT / file).read_text()):
                 tests.add(f"{suite}.{test}")
-    named = 0
     for page in pages:
         for line, span in page.code_spans():
             if re.fullmatch(r"[A-Z]\w+\.[A-Z]\w+", span):
-                named += 1
                 if span not in tests:
                     yield f"{page.path}:{line}: `{span}`: no such test"
 
