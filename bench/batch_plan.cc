@@ -10,6 +10,7 @@
 #include "bench/trial.h"
 #include "observers/factory.h"
 #include "results/fingerprint.h"
+#include "scenarios/gains_name.h"
 #include "scenarios/loader.h"
 
 namespace dob {
@@ -74,10 +75,11 @@ void require_one_meaning(const ObserverConfig& observer, std::map<std::string, s
 }
 
 // Where the plan has the scenario; one that is asked for twice is there once.
-std::size_t add_scenario(BatchPlan& plan, const Scenario& scenario, const ScenarioRequest& wanted) {
+std::size_t add_scenario(BatchPlan& plan, const Scenario& scenario, const ScenarioRequest& wanted,
+                         const std::string& gains) {
   require_runnable(scenario);
   ResolvedScenario resolved{
-      fmt::format("{}{}{}_{}", scenario.name, scenario.variant.empty() ? "" : "_", scenario.variant, wanted.gains),
+      fmt::format("{}{}{}_{}", scenario.name, scenario.variant.empty() ? "" : "_", scenario.variant, gains),
       resolved_toml(wanted, scenario.variant)};
   // The document names the file only: of another robot in it the run is another one.
   resolved.toml += fmt::format("\n# robot.urdf holds {}\n", file_fingerprint(scenario.robot.urdf));
@@ -102,12 +104,13 @@ std::vector<ObserverConfig> load_observers(const Lineup& lineup, double dt) {
   return observers;
 }
 
-CellKey key_of(const Scenario& scenario, const ObserverConfig& observer, const ScenarioRequest& wanted, int seed) {
+CellKey key_of(const Scenario& scenario, const ObserverConfig& observer, const std::string& gains,
+               const ScenarioRequest& wanted, int seed) {
   return {.scenario = scenario.name,
           .variant = scenario.variant,
           .observer = observer.label,
           .profile = observer.profile,
-          .gains = wanted.gains,
+          .gains = gains,
           .planner = std::string(to_string(scenario.planner.kind)),
           .overrides = fmt::format("{}", fmt::join(wanted.overrides, "; ")),
           .seed = seed};
@@ -171,15 +174,16 @@ std::vector<std::string> split_specifications(const std::string& list) {
 
 BatchPlan plan_batch(const BatchRequest& request) {
   BatchPlan plan;
-  const std::vector<std::string> gain_sets = request.gains.empty() ? std::vector<std::string>{"paper"} : request.gains;
+  const std::vector<std::string> gain_sets = request.gains.empty() ? std::vector<std::string>{""} : request.gains;
   std::set<CellKey> planned;
   std::map<std::string, std::string> called;  // label in the tables -> observer
   for (const std::string& name : or_paper_set(request.scenarios)) {
     const Lineup lineup = lineup_of(name, request);
-    for (const std::string& gains : gain_sets) {
-      const ScenarioRequest wanted{name, gains, request.planner, request.overrides};
+    for (const std::string& asked : gain_sets) {
+      const ScenarioRequest wanted{name, asked, request.planner, request.overrides};
       for (const Scenario& scenario : load_scenarios(wanted)) {
-        const std::size_t index = add_scenario(plan, scenario, wanted);
+        const std::string gains = gains_name(wanted, scenario.variant);
+        const std::size_t index = add_scenario(plan, scenario, wanted, gains);
         add_warnings(plan, scenario, wanted, request.last_seed > 1);
         const std::vector<ObserverConfig> shadows = load_shadows(request, scenario.sim.dt);
         for (const ObserverConfig& shadow : shadows) require_one_meaning(shadow, called);
@@ -188,7 +192,7 @@ BatchPlan plan_batch(const BatchRequest& request) {
         for (const ObserverConfig& observer : observers) {
           require_one_meaning(observer, called);
           for (long seed = request.first_seed; seed <= request.last_seed; ++seed) {
-            const CellKey key = key_of(scenario, observer, wanted, static_cast<int>(seed));
+            const CellKey key = key_of(scenario, observer, gains, wanted, static_cast<int>(seed));
             if (planned.insert(key).second) plan.cells.push_back({key, index, observer, without(shadows, observer)});
           }
         }

@@ -17,7 +17,7 @@ struct BatchRequest {
   std::vector<std::string> observers;
   std::vector<std::string> shadows;    // specifications of observers that watch every cell, first profile asked for
   std::vector<std::string> profiles;   // empty: every shipped one
-  std::vector<std::string> gains;      // gain sets of the controller; empty: "paper"
+  std::vector<std::string> gains;      // gain sets of the controller; empty: of each scenario its own, else "paper"
   std::string planner;                 // empty: the scenario's own
   std::vector<std::string> overrides;  // KEY=VALUE
   int first_seed = 1;

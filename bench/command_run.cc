@@ -144,7 +144,10 @@ CLI::App* add_options(CLI::App& app, Arguments* arguments) {
       ->allow_extra_args(false);
   command->add_option("--profile", request.profiles, "gains and routing of the observers; every one by default")
       ->allow_extra_args(false);
-  command->add_option("--gains", request.gains, "gain set of the controller (default paper)")->allow_extra_args(false);
+  command
+      ->add_option("--gains", request.gains,
+                   "gain set of the controller, or own (default: the scenario's own, else paper)")
+      ->allow_extra_args(false);
   command->add_flag("--claims", arguments->claims, "also print the paper's claims beside what was measured");
   command->add_option("--planner", request.planner, "planner of the motion (default: the scenario's)");
   command->add_option("--seeds", arguments->seeds, "N for the seeds 1 to N, or A..B (default 1)");

@@ -30,12 +30,34 @@ std::string chosen(const Run& run, std::string CellKey::*member, const std::stri
   return has(favourite) ? favourite : values.empty() ? kNoProfile : values.front();
 }
 
+// Of each scenario what was wished for, else `favourite` if it has that, else its first value.
+std::map<std::string, std::string> chosen_gains(const Run& run, const std::string& wish, const std::string& favourite) {
+  std::map<std::string, std::string> gains;
+  for (const CellKey& key : run.info.cells) {
+    std::string& of_scenario = gains.try_emplace(key.scenario, wish.empty() ? key.gains : wish).first->second;
+    if (wish.empty() && key.gains == favourite) of_scenario = favourite;
+  }
+  return gains;
+}
+
+// Each once, in the order of the cells.
+std::string listed(const Run& run, const std::map<std::string, std::string>& gains) {
+  std::vector<std::string> names;
+  for (const CellKey& key : run.info.cells) {
+    const std::string& name = gains.at(key.scenario);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 }  // namespace
 
 FigureCells::FigureCells(const std::filesystem::path& dir, Run run, const FigureRequest& request)
     : dir_(dir), run_(std::move(run)), request_(request) {
   request_.profile = chosen(run_, &CellKey::profile, request.profile, "tuned", "profile");
-  request_.gains = chosen(run_, &CellKey::gains, request.gains, "paper", "gains");
+  chosen(run_, &CellKey::gains, request.gains, "", "gains");  // refuses a wish that the run does not have
+  gains_ = chosen_gains(run_, request.gains, "paper");
+  request_.gains = listed(run_, gains_);
   request_.planner = chosen(run_, &CellKey::planner, request.planner, "", "planner");
   const std::vector<std::string> known = observers();
   for (const std::string& observer : request_.observers) {
@@ -56,7 +78,7 @@ std::vector<std::string> FigureCells::observers(const std::vector<std::string>& 
 
 bool FigureCells::shown(const CellKey& key, const std::string& profile) const noexcept {
   const std::string& wanted = profile.empty() ? request_.profile : profile;
-  return (key.profile == wanted || key.profile == kNoProfile) && key.gains == request_.gains &&
+  return (key.profile == wanted || key.profile == kNoProfile) && key.gains == gains_.at(key.scenario) &&
          key.planner == request_.planner;
 }
 

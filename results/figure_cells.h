@@ -26,11 +26,13 @@ struct FigureCell {
 
 class FigureCells {
  public:
-  // Without a wish: profile `tuned`, else the first one of the run; gains `paper`, else the first ones; the first
-  // planner. Throws StoreError if the run has nothing of what is wished for.
+  // Without a wish: profile `tuned`, else the first one of the run; of each scenario the gains `paper`, else its first
+  // ones (a robot of one's own has its own); the first planner. Throws StoreError if the run has nothing of what is
+  // wished for.
   FigureCells(const std::filesystem::path& dir, Run run, const FigureRequest& request);
 
   const Run& run() const noexcept { return run_; }
+  // What is shown; gains that differ between scenarios as a list, "paper, own".
   const FigureRequest& request() const noexcept { return request_; }
   const std::filesystem::path& dir() const noexcept { return dir_; }
 
@@ -51,7 +53,8 @@ class FigureCells {
   std::filesystem::path dir_;
   Run run_;
   FigureRequest request_;
-  std::map<std::string, Trace> traces_;  // by file
+  std::map<std::string, std::string> gains_;  // by scenario
+  std::map<std::string, Trace> traces_;       // by file
 };
 
 }  // namespace dob

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -201,6 +203,21 @@ class RobotDrawing {
   PerLeg<Vec3> feet_;
 };
 
+void add_robot(const Scenario& s, Figure& figure) {
+  const RobotDescription robot = load_robot(s.robot.urdf, s.robot.forward);
+  const Model model(robot);
+  const FootstepOptions& footsteps = s.planner.footsteps;
+  const RobotState state =
+      standing_pose(model, s.planner.com_height, footsteps.foot_offset_x, footsteps.foot_offset_y, s.robot.posture);
+  ModelTerms terms;
+  model.compute(state, terms);
+  const RobotDrawing drawing(robot, state, terms.p_com);
+  figure.subtitle += fmt::format("{}{}, {:.1f} kg", figure.panels.empty() ? "" : "; ", robot.name, robot.total_mass());
+  figure.cells.push_back("the robot of " + s.name);
+  figure.panels.push_back(drawing.panel(1));
+  figure.panels.push_back(drawing.panel(2));
+}
+
 }  // namespace
 
 std::vector<Point> outline(const CollisionShape& shape, const Mat3& R_WL, const Vec3& p_WL, int view) {
@@ -219,22 +236,19 @@ std::vector<Point> outline(const CollisionShape& shape, const Mat3& R_WL, const 
   return convex_hull(std::move(points));
 }
 
-Figure robot_figure(const std::string& id, const std::filesystem::path& scenario) {
-  const std::vector<Scenario> loaded = load_scenarios({.name = scenario.string()});
-  const Scenario& s = loaded.front();
-  const RobotDescription robot = load_robot(s.robot.urdf, s.robot.forward);
-  const Model model(robot);
-  const FootstepOptions& footsteps = s.planner.footsteps;
-  const RobotState state =
-      standing_pose(model, s.planner.com_height, footsteps.foot_offset_x, footsteps.foot_offset_y, s.robot.posture);
-  ModelTerms terms;
-  model.compute(state, terms);
-  const RobotDrawing drawing(robot, state, terms.p_com);
+Figure robot_figure(const std::string& id, const std::vector<std::filesystem::path>& scenarios) {
   Figure figure;
   figure.id = id;
-  figure.subtitle = fmt::format("{}, {:.1f} kg; axes x red, y green, z blue", robot.name, robot.total_mass());
-  figure.cells = {"the robot of " + s.name};
-  figure.panels = {drawing.panel(1), drawing.panel(2)};
+  std::set<std::pair<std::filesystem::path, Forward>> shown;
+  for (const std::filesystem::path& file : scenarios) {
+    const Scenario s = load_scenarios({.name = file.string()}).front();
+    if (shown.emplace(s.robot.urdf, s.robot.forward).second) add_robot(s, figure);
+  }
+  figure.subtitle += "; axes x red, y green, z blue";
+  if (shown.size() == 1) return figure;
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    figure.panels[i].title = figure.cells[i / 2] + ", " + figure.panels[i].title;
+  }
   return figure;
 }
 

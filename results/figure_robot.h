@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "results/figure.h"
 #include "robot/description.h"
@@ -13,7 +15,8 @@ namespace dob {
 // The outline of the shape's projection, counter-clockwise; a box is exact, what is round has corners. [m]
 std::vector<std::array<double, 2>> outline(const CollisionShape& shape, const Mat3& R_WL, const Vec3& p_WL, int view);
 
-// Of the robot and the posture of a scenario's file. Throws InputError, DescriptionError.
-Figure robot_figure(const std::string& id, const std::filesystem::path& scenario);
+// The robots of scenarios' files, each once, in the posture of its first one: two panels each. Throws InputError,
+// DescriptionError.
+Figure robot_figure(const std::string& id, const std::vector<std::filesystem::path>& scenarios);
 
 }  // namespace dob

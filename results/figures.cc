@@ -19,9 +19,13 @@ namespace {
 namespace fs = std::filesystem;
 
 Figure robot_of(const FigureSpec& spec, const FigureCells& cells) {
-  const std::vector<CellSource>& sources = cells.run().info.sources;
-  if (sources.empty()) throw StoreError("the run does not say from which scenarios its cells were made");
-  return robot_figure(spec.id, cells.dir() / "scenarios" / (sources.front().scenario + ".toml"));
+  std::vector<fs::path> scenarios;
+  for (const CellSource& source : cells.run().info.sources) {
+    const fs::path file = cells.dir() / "scenarios" / (source.scenario + ".toml");
+    if (std::find(scenarios.begin(), scenarios.end(), file) == scenarios.end()) scenarios.push_back(file);
+  }
+  if (scenarios.empty()) throw StoreError("the run does not say from which scenarios its cells were made");
+  return robot_figure(spec.id, scenarios);
 }
 
 Figure make(const FigureSet& set, const FigureSpec& spec, FigureCells& cells) {

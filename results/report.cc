@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kSchema = 1;
+constexpr int kSchema = 2;
 constexpr std::size_t kReserve = 4096;  // of the page, for lists that grow while traces are taken
 
 std::string title_of(const fs::path& dir) {
@@ -38,7 +38,7 @@ Json data_without_traces(const fs::path& dir, const Run& run, const ReportIndex&
   data["cells"] = cells_json(run, index);
   data["claims"] = claims_json(run, missing);
   data["timing"] = timing_json(run, index);
-  data["robot"] = report_robot(scenarios, missing);
+  data["robots"] = report_robots(scenarios, data["scenarios"], missing);
   data["traces"] = Json::array();
   data["left_out"] = Json::array();
   data["missing"] = missing;

@@ -1,5 +1,10 @@
 #include "results/report_robot.h"
 
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "results/claim_cells.h"
@@ -41,6 +46,18 @@ Json link_json(const LinkDescription& link, int parent, int joint, const Vec3& o
           {"axis", vector_json(axis)}, {"shapes", std::move(shapes)}};
 }
 
+// Its place among `robots`; null where it cannot be read.
+Json add_robot(const RobotConfig& config, const std::string& walked, Json& robots, std::vector<std::string>& missing) {
+  try {
+    robots.push_back(robot_json(load_robot(config.urdf, config.forward)));
+    return robots.size() - 1;
+  } catch (const DescriptionError& error) {
+    missing.push_back(fmt::format("No replay of {}: the robot's description cannot be read ({}).", walked,
+                                  without_directories(error.what())));
+    return {};
+  }
+}
+
 }  // namespace
 
 Json robot_json(const RobotDescription& robot) {
@@ -59,27 +76,24 @@ Json robot_json(const RobotDescription& robot) {
                     {"center", vector_json(leg.foot_center)},
                     {"radius", leg.foot_radius}});
   }
-  return {{"name", robot.name}, {"links", std::move(links)}, {"feet", std::move(feet)}};
+  return {{"name", robot.name},
+          {"mass_kg", std::round(1e3 * robot.total_mass()) / 1e3},
+          {"links", std::move(links)},
+          {"feet", std::move(feet)}};
 }
 
-Json report_robot(const std::vector<ReportScenario>& scenarios, std::vector<std::string>& missing) {
-  const ReportScenario* chosen = nullptr;
-  for (const ReportScenario& entry : scenarios) {
-    if (!entry.scenario) continue;
-    if (chosen == nullptr) chosen = &entry;
-    const RobotConfig &robot = entry.scenario->robot, &shown = chosen->scenario->robot;
-    if (robot.urdf == shown.urdf && robot.forward == shown.forward) continue;
-    missing.push_back(fmt::format("The replays of {} show the robot of {}, which is not the one that walked.",
-                                  case_name(entry.cell), case_name(chosen->cell)));
+Json report_robots(const std::vector<ReportScenario>& scenarios, Json& shown, std::vector<std::string>& missing) {
+  Json robots = Json::array();
+  std::map<std::pair<std::filesystem::path, Forward>, Json> places;  // null: cannot be read
+  for (std::size_t i = 0; i < scenarios.size(); ++i) {
+    shown[i]["robot"] = Json();
+    if (!scenarios[i].scenario) continue;
+    const RobotConfig& config = scenarios[i].scenario->robot;
+    const auto [place, added] = places.try_emplace({config.urdf, config.forward});
+    if (added) place->second = add_robot(config, case_name(scenarios[i].cell), robots, missing);
+    shown[i]["robot"] = place->second;
   }
-  if (chosen == nullptr) return {};
-  try {
-    return robot_json(load_robot(chosen->scenario->robot.urdf, chosen->scenario->robot.forward));
-  } catch (const DescriptionError& error) {
-    missing.push_back(
-        fmt::format("No replay: the robot's description cannot be read ({}).", without_directories(error.what())));
-    return {};
-  }
+  return robots;
 }
 
 }  // namespace dob

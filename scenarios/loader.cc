@@ -8,6 +8,7 @@
 #include "controller/locomotion_controller.h"
 #include "scenarios/data_directory.h"
 #include "scenarios/document.h"
+#include "scenarios/gains_name.h"
 #include "scenarios/scenario_source.h"
 #include "scenarios/schema.h"
 
@@ -16,7 +17,9 @@ namespace {
 
 Node gain_set(const std::string& name) {
   Node sets = parse_file(gains_file());
-  require_known(name, names_of(table_of(sets, "")), {"--gains"});
+  std::vector<std::string> known = names_of(table_of(sets, ""));
+  known.insert(known.begin(), std::string(kOwnGains));
+  require_known(name, known, {"--gains"});
   Node& set = *sets.find(name);
   erase(set, "source");
   erase(set, "remark");
@@ -30,15 +33,24 @@ void lay_override(Node& document, const std::string& text) {
   set(document, key, parse_value(key, text.substr(equals + 1), {"--set"}));
 }
 
-Node merged(const ScenarioSource& source, const std::string& variant, const ScenarioRequest& request) {
+// What the files say, before anything that the request lays over it.
+Node written(const ScenarioSource& source, std::string_view variant) {
   Node document = parse_file(defaults_file());
-  const auto lay_gains = [&](const std::string& name) { set(document, "gains", gain_set(name)); };
-  lay_gains("paper");
+  set(document, "gains", gain_set("paper"));
   lay(document, source.document);
   for (const Entry& e : source.variants) {
     if (e.key == variant) lay(document, e.node);
   }
-  if (!request.gains.empty()) lay_gains(request.gains);
+  return document;
+}
+
+bool asks_for_gains(const ScenarioRequest& request) {
+  return !request.gains.empty() && request.gains != kOwnGains;
+}
+
+Node merged(const ScenarioSource& source, const std::string& variant, const ScenarioRequest& request) {
+  Node document = written(source, variant);
+  if (asks_for_gains(request)) set(document, "gains", gain_set(request.gains));
   if (!request.planner.empty()) set(document, "planner.kind", {request.planner, {"--planner"}});
   for (const std::string& text : request.overrides) lay_override(document, text);
   return document;
@@ -102,6 +114,16 @@ std::vector<std::string> list_profiles() {
 std::vector<std::string> list_gain_sets() {
   const Node sets = parse_file(gains_file());
   return names_of(table_of(sets, ""));
+}
+
+std::string gains_name(const ScenarioRequest& request, std::string_view variant) {
+  if (asks_for_gains(request)) return request.gains;
+  const Node document = written(read_source(request.name), variant);
+  const std::string own = to_toml(*document.find("gains"));
+  for (const std::string& name : list_gain_sets()) {
+    if (own == to_toml(gain_set(name))) return name;
+  }
+  return std::string(kOwnGains);
 }
 
 std::vector<Scenario> load_scenarios(const ScenarioRequest& request) {

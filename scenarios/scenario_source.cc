@@ -144,11 +144,9 @@ std::string summary_of(const Node& document) {
 
 ScenarioSource read(Reference reference);
 
-// Puts the document over the one it names as its base.
-void take_base(ScenarioSource& source, const std::vector<std::filesystem::path>& via) {
-  const Node* node = source.document.find(kBase);
-  if (node == nullptr) return;
-  const Reference reference = referred(source, *node, kBase, via);
+// One base as a document, with the variant that was asked for laid over it.
+Node base_of(const ScenarioSource& source, const Node& named, const std::vector<std::filesystem::path>& via) {
+  const Reference reference = referred(source, named, kBase, via);
   ScenarioSource base = read(reference);
   if (base.asked) {
     require_known(*base.asked, names_of(base.variants), reference.place, kBase);
@@ -156,9 +154,21 @@ void take_base(ScenarioSource& source, const std::vector<std::filesystem::path>&
       if (e.key == *base.asked) lay(base.document, e.node);
     }
   }
+  return std::move(base.document);
+}
+
+// Puts the document over those it names as its bases, the later of them over the earlier.
+void take_base(ScenarioSource& source, const std::vector<std::filesystem::path>& via) {
+  const Node* node = source.document.find(kBase);
+  if (node == nullptr) return;
+  const auto* list = std::get_if<Array>(&node->value);
+  if (list != nullptr && list->empty()) throw InputError(node->place, kBase, "empty; allowed: names or files");
+  const Array bases = list != nullptr ? *list : Array{*node};
   erase(source.document, kBase);
-  lay(base.document, source.document);
-  source.document = std::move(base.document);
+  Node below = base_of(source, bases.front(), via);
+  for (std::size_t i = 1; i < bases.size(); ++i) lay(below, base_of(source, bases[i], via));
+  lay(below, source.document);
+  source.document = std::move(below);
 }
 
 // A file that names another one's trials: those, under what this one says about itself.
@@ -219,6 +229,9 @@ void lay(Node& document, const Node& layer) {
   const Node* robot = layer.find("robot");
   if (robot != nullptr && robot->find("urdf") != nullptr) {
     if (Node* below = document.find("robot")) erase(*below, "posture_rad");
+    const Node* controller = layer.find("controller");
+    const bool says_limit = controller != nullptr && controller->find("torque_limit_Nm") != nullptr;
+    if (Node* below = document.find("controller"); below != nullptr && !says_limit) erase(*below, "torque_limit_Nm");
   }
   merge(document, layer);
 }

@@ -16,8 +16,10 @@ inline constexpr const char* kNameKey = "name";
 
 // The keys of the top level that are not part of a scenario's schema (all optional):
 //   name      "NAME" or "NAME/VARIANT"; without it the file's name
-//   base      "NAME", "FILE.toml" (relative to the file) or one of their variants: the scenario that this file is laid
-//             over. The base's variants, its name and its `set`, `observers` and `profiles` are not taken over
+//   base      "NAME", "FILE.toml" (relative to the file) or one of their variants, or a list of these, the later laid
+//   over
+//             the earlier: what this file is laid over; it need not be a whole scenario. A base's variants, its name
+//             and its `set`, `observers` and `profiles` are not taken over
 //   variant   table of tables of the same schema
 //   set       "paper" or "extra" (the default)
 //   observers, profiles   what the scenario is about (ScenarioInfo)
@@ -40,7 +42,8 @@ ScenarioSource read_source(const std::string& request);
 // The variants that the request means: all of them, the one asked for, or `variant` where the file has none.
 std::vector<std::string> chosen_variants(const ScenarioSource& source);
 
-// Merges a layer over a document. A posture names the joints of one robot: a layer that chooses another robot drops it.
+// Merges a layer over a document. A posture names the joints of one robot, and its torque limit is what its motors can:
+// a layer that chooses another robot drops both.
 void lay(Node& document, const Node& layer);
 
 // Throws InputError naming what there is when `name` is not among `names`.

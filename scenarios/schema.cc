@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -144,13 +145,20 @@ JointLimits joint_limits(const RobotDescription& robot) {
   return limits;
 }
 
+// A limit that all joints keep.
+double smallest_effort(const RobotDescription& robot) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const JointDescription* joint : joints_of(robot)) smallest = std::min(smallest, joint->effort_limit);
+  return smallest;
+}
+
 WbcOptions read_controller(Reader& r, const RobotDescription& robot) {
   WbcOptions wbc;
   wbc.joint_limits = joint_limits(robot);
   r.table("controller", [&](Reader& t) {
     wbc.friction = t.number("friction", above(0.0, 10.0));
     wbc.min_normal_force = t.number("min_normal_force_N", between(0.0, 1e4));
-    wbc.torque_limit = t.number("torque_limit_Nm", above(0.0, 1e4));
+    wbc.torque_limit = t.number("torque_limit_Nm", above(0.0, 1e4), smallest_effort(robot));
     wbc.wrench_weight = t.number("wrench_weight", kWeight);
     wbc.regularization = t.number("regularization", kWeight);
     wbc.slack_weight = t.number("slack_weight", kWeight);

@@ -33,6 +33,24 @@ TEST(BatchPlan, CellsAreTheProductOfTheAxesAndUnique) {
   EXPECT_EQ(keys.size(), plan.cells.size());
 }
 
+TEST(BatchPlan, AScenariosOwnGainsAreRunWithUnlessASetIsAskedFor) {
+  BatchRequest request{.scenarios = {"quad12_case1/tip_lateral", "case1/tip_lateral"}, .observers = {"none"}};
+  const BatchPlan own = plan_batch(request);
+  ASSERT_EQ(own.cells.size(), 2U);
+  EXPECT_EQ(own.cells[0].key.gains, "own");
+  EXPECT_EQ(own.scenarios[0].controller.wrench_kp[0], 150.0);
+  EXPECT_EQ(own.resolved[0].name, "quad12_case1_tip_lateral_own");
+  EXPECT_EQ(own.cells[1].key.gains, "paper");
+  EXPECT_EQ(own.scenarios[1].controller.wrench_kp[0], 250.0);
+  request.gains = {"own", "paper"};  // of case 1 both are the same cell
+  const BatchPlan both = plan_batch(request);
+  ASSERT_EQ(both.cells.size(), 3U);
+  EXPECT_EQ(both.cells[0].key.gains, "own");
+  EXPECT_EQ(both.cells[1].key.gains, "paper");
+  EXPECT_EQ(both.scenarios[both.cells[1].scenario].controller.wrench_kp[0], 250.0);
+  EXPECT_EQ(both.scenarios[both.cells[1].scenario].robot.urdf.filename(), "quad12.urdf");
+}
+
 TEST(BatchPlan, ASpecificationsOptionsMakeARowOfTheirOwn) {
   BatchRequest request{.scenarios = {"undisturbed"}, .observers = {"momentum", "momentum:gain_scale=5"}};
   request.profiles = {"paper"};

@@ -35,7 +35,9 @@ TEST_F(CommandLine, ARunIsReportedAsOnePageWithItsReplays) {
   ASSERT_EQ(page.data["scenarios"].size(), 1U);
   EXPECT_EQ(page.data["scenarios"][0]["duration_s"], 1.5) << "as it was run, not as it is shipped";
   EXPECT_EQ(page.data["scenarios"][0]["metric_leg"], "LF");
-  EXPECT_EQ(page.data["robot"]["links"].size(), 13U);
+  ASSERT_EQ(page.data["robots"].size(), 1U);
+  EXPECT_EQ(page.data["scenarios"][0]["robot"], 0);
+  EXPECT_EQ(page.data["robots"][0]["links"].size(), 13U);
   ASSERT_EQ(page.data["timing"].size(), 2U);
   long ticks = 0;
   for (const long count : page.data["timing"][0]["tick_histogram"]["counts"]) ticks += count;
@@ -47,13 +49,12 @@ TEST_F(CommandLine, ARunIsReportedAsOnePageWithItsReplays) {
   EXPECT_EQ(page.trace(1).plot("LF/hip/estimate_Nm").size(), page.trace(1).plot("com_error_m").size());
 }
 
-// The replay's robot stands on its feet: the lowest point of each foot in stance is on the ground.
-TEST_F(CommandLine, TheReplaysRobotStandsOnTheGround) {
-  ASSERT_EQ(dobbench("run undisturbed --observer none --set duration_s=1 --out run").exit_code, 0);
-  ASSERT_EQ(dobbench("report run -o page.html").exit_code, 0);
-  const Page page = read_page(dir / "page.html");
-  const dob::test::PageTrace trace = page.trace(0);
-  const auto& robot = page.data["robot"];
+// A replay's robot stands on its feet: the lowest point of each foot in stance is on the ground.
+void expect_on_the_ground(const Page& page, std::size_t index) {
+  const dob::test::PageTrace trace = page.trace(index);
+  const auto& scenario = page.data["scenarios"][index];
+  ASSERT_EQ(page.data["traces"][index]["scenario_id"], scenario["id"]);
+  const auto& robot = page.data["robots"][scenario["robot"].get<std::size_t>()];
   const auto vector = [](const auto& json) { return Eigen::Vector3d(json[0], json[1], json[2]); };
   int stances = 0;
   for (std::size_t frame = 0; frame < trace.replay("trunk/x_m").size(); ++frame) {
@@ -78,6 +79,20 @@ TEST_F(CommandLine, TheReplaysRobotStandsOnTheGround) {
     }
   }
   EXPECT_GT(stances, 50);
+}
+
+// Two robots in one run: each scenario is replayed with its own, and its gains are called its own.
+TEST_F(CommandLine, TheReplaysRobotsStandOnTheGround) {
+  ASSERT_EQ(dobbench("run undisturbed quad12_undisturbed --observer none --set duration_s=1 --out run").exit_code, 0);
+  ASSERT_EQ(dobbench("report run -o page.html").exit_code, 0);
+  const Page page = read_page(dir / "page.html");
+  EXPECT_EQ(page.data["missing"].size(), 1U) << page.missing();  // no times were measured
+  ASSERT_EQ(page.data["robots"].size(), 2U);
+  EXPECT_EQ(page.data["robots"][1]["name"], "quad12");
+  EXPECT_EQ(page.data["robots"][1]["mass_kg"], 12.776);
+  EXPECT_EQ(page.data["robots"][0]["mass_kg"], 21.256);
+  EXPECT_EQ(page.data["settings"][1]["gains"], "own");
+  for (const std::size_t index : {0U, 1U}) expect_on_the_ground(page, index);
 }
 
 TEST_F(CommandLine, ARunThatWasStoppedIsReportedAsFarAsItIs) {

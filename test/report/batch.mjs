@@ -4,7 +4,7 @@ import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
 const kRun = [
-  "run", "case1/tip_lateral", "case1_no_swing/tip_lateral", "case5/plus_30", "case6",
+  "run", "case1/tip_lateral", "case1_no_swing/tip_lateral", "case5/plus_30", "case6", "quad12_case1/tip_lateral",
   ...["none", "momentum", "momentum_com"].flatMap((name) => ["--observer", name]),
   "--profile", "paper", "--profile", "tuned", "--seeds", "2", "--set", "duration_s=4", "--jobs", "2",
 ];

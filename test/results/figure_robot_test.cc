@@ -53,8 +53,10 @@ TEST(Outline, OfASphereIsACircleHoweverItIsTurned) {
 }
 
 TEST(RobotFigure, StandsOnTheGroundWithItsCentreOfMassAboveTheOrigin) {
-  const Figure figure = robot_figure("f", scenario_file("undisturbed"));
+  const Figure figure = robot_figure("f", {scenario_file("undisturbed"), scenario_file("case1")});
   ASSERT_EQ(figure.panels.size(), 2U);
+  EXPECT_EQ(figure.panels[0].title, "from the right");
+  EXPECT_EQ(figure.subtitle, "dogbot, 21.3 kg; axes x red, y green, z blue");
   double lowest = 1.0;
   for (const FigureLine& line : figure.panels[0].lines) {
     if (line.mark != FigureMark::kFill) continue;
@@ -64,6 +66,15 @@ TEST(RobotFigure, StandsOnTheGroundWithItsCentreOfMassAboveTheOrigin) {
   const FigureLine& com = figure.panels[0].lines.back();
   EXPECT_NEAR(com.x[0], 0.0, 1e-9);
   EXPECT_GT(com.y[0], 0.3);
+}
+
+TEST(RobotFigure, OfARunWithTwoRobotsShowsEach) {
+  const Figure figure = robot_figure("f", {scenario_file("undisturbed"), scenario_file("quad12_undisturbed")});
+  EXPECT_EQ(figure.subtitle, "dogbot, 21.3 kg; quad12, 12.8 kg; axes x red, y green, z blue");
+  ASSERT_EQ(figure.panels.size(), 4U);
+  EXPECT_EQ(figure.panels[2].title, "the robot of quad12_undisturbed, from the right");
+  EXPECT_NEAR(figure.panels[2].lines.back().y[0], 0.28, 1e-9);  // its CoM
+  EXPECT_NEAR(figure.panels[0].lines.back().y[0], 0.40, 1e-9);
 }
 
 }  // namespace

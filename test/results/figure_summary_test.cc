@@ -39,6 +39,30 @@ TEST(ErrorsFigure, ShowsTheMedianOfThoseThatSurvivedAndTheShareThatFell) {
   EXPECT_EQ(figure.panels[0].y_ticks[0].text, "case1");
 }
 
+TEST(ErrorsFigure, ShowsEachScenarioWithItsOwnGainsUnlessSomeAreWishedFor) {
+  FigureRun files;
+  const auto add = [&files](const char* scenario, const char* gains, double error) {
+    CellKey cell = key(scenario, "knee", "momentum", "tuned", 1);
+    cell.gains = gains;
+    files.add(test::survived(cell, error));
+  };
+  add("mine", "own", 0.001);
+  add("case1", "stiff", 0.002);
+  add("case1", "paper", 0.003);
+  const FigureCells cells(files.dir(), files.run, {});
+  EXPECT_EQ(cells.request().gains, "own, paper");
+  EXPECT_THAT(line_of(errors_figure({}, cells).panels[0], "momentum").x, ElementsAre(1.0, 3.0));
+  FigureRequest stiff;
+  stiff.gains = "stiff";
+  const FigureCells wished(files.dir(), files.run, stiff);
+  EXPECT_EQ(wished.request().gains, "stiff");
+  EXPECT_THAT(line_of(errors_figure({}, wished).panels[0], "momentum").x, ElementsAre(2.0));
+  FigureRequest none;
+  none.gains = "soft";
+  EXPECT_THAT(test::store_error([&] { FigureCells(files.dir(), files.run, none); }),
+              HasSubstr("--gains soft: the run has"));
+}
+
 TEST(ErrorsFigure, NeedsACell) {
   FigureRun files;
   files.run.info.cells = {key("case1", "knee", "momentum", "tuned", 1)};

@@ -39,7 +39,7 @@ TEST_F(Report, APageHoldsTheRunsCellsAndTheirTraces) {
   write(a);
   write(b, test::walking_trace(200));
   const Page p = page();
-  EXPECT_EQ(p.data["schema"], 1);
+  EXPECT_EQ(p.data["schema"], 2);
   EXPECT_EQ(p.data["title"], "run");
   EXPECT_EQ(p.data["written_by"], Json({{"version", "1.2.3"}, {"commit", "abc"}}));
   EXPECT_EQ(p.data["observers"][1],
@@ -180,7 +180,8 @@ TEST_F(Report, ARunWithNothingFinishedIsAPageThatSaysSo) {
   EXPECT_EQ(p.data["run"]["finished"], 0);
   EXPECT_THAT(p.missing(), HasSubstr("2 of 2 cells have not been run"));
   EXPECT_THAT(p.missing(), HasSubstr("dobbench timing --out DIR"));
-  EXPECT_TRUE(p.data["robot"].is_null());
+  EXPECT_TRUE(p.data["robots"].empty());
+  EXPECT_TRUE(p.data["scenarios"][0]["robot"].is_null());
   EXPECT_TRUE(p.data["traces"].empty());
 }
 

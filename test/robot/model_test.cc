@@ -9,16 +9,16 @@
 
 #include "test/oracles/mujoco_robot.h"
 #include "test/support/random_state.h"
+#include "test/support/shipped_robots.h"
 
 namespace dob {
 namespace {
 
 constexpr int kStates = 1000;
-const std::filesystem::path kUrdf = std::filesystem::path(DOB_SOURCE_DIR) / "robot/dogbot/dogbot.urdf";
 
-class ModelTest : public ::testing::Test {
+class ModelTest : public ::testing::TestWithParam<test::ShippedRobot> {
  protected:
-  RobotDescription robot = load_robot(kUrdf, Forward::kMinusY);
+  RobotDescription robot = GetParam().load();
   Model model{robot};
   std::mt19937_64 random{20260101};
   ModelTerms t;
@@ -35,6 +35,9 @@ class ModelTest : public ::testing::Test {
     return (a - b).cwiseAbs().maxCoeff() / std::max(1.0, b.cwiseAbs().maxCoeff());
   }
 };
+
+INSTANTIATE_TEST_SUITE_P(Robots, ModelTest, ::testing::ValuesIn(test::kShippedRobots),
+                         [](const auto& param) { return param.param.name; });
 
 // State after moving along v for a time s (exact on SO(3), so that central differences are second order).
 RobotState moved(const RobotState& x, double s) {
@@ -54,8 +57,8 @@ Mat3x18 full_jacobian(const ModelTerms& t, const LegPoint& point, int leg) {
   return J;
 }
 
-TEST_F(ModelTest, AgreesWithMujocoAtRandomStates) {
-  oracle::MujocoRobot mujoco(kUrdf, robot);
+TEST_P(ModelTest, AgreesWithMujocoAtRandomStates) {
+  oracle::MujocoRobot mujoco(GetParam().file(), robot);
   oracle::MujocoTerms o;
   for (int i = 0; i < kStates; ++i) {
     const RobotState state = sample();
@@ -77,7 +80,7 @@ TEST_F(ModelTest, AgreesWithMujocoAtRandomStates) {
   }
 }
 
-TEST_F(ModelTest, JacobianRatesAgreeWithFiniteDifferences) {
+TEST_P(ModelTest, JacobianRatesAgreeWithFiniteDifferences) {
   const double s = 1e-6;
   for (int i = 0; i < 200; ++i) {
     const RobotState state = sample();
@@ -99,7 +102,7 @@ TEST_F(ModelTest, JacobianRatesAgreeWithFiniteDifferences) {
 }
 
 // C^T v = Mdot v - C v with C v = h - g: holds for any Coriolis matrix with Mdot = C + C^T.
-TEST_F(ModelTest, TransposedCoriolisTermAgreesWithTheRateOfTheMassMatrix) {
+TEST_P(ModelTest, TransposedCoriolisTermAgreesWithTheRateOfTheMassMatrix) {
   const double s = 1e-6;
   for (int i = 0; i < 200; ++i) {
     RobotState state = sample();
@@ -118,7 +121,7 @@ TEST_F(ModelTest, TransposedCoriolisTermAgreesWithTheRateOfTheMassMatrix) {
   }
 }
 
-TEST_F(ModelTest, MomentumIsMassMatrixTimesVelocity) {
+TEST_P(ModelTest, MomentumIsMassMatrixTimesVelocity) {
   for (int i = 0; i < 200; ++i) {
     model.compute(sample(), t);
     const Vec18 p = t.mass_matrix() * t.velocity();
@@ -129,7 +132,7 @@ TEST_F(ModelTest, MomentumIsMassMatrixTimesVelocity) {
 }
 
 // The CoM-coordinate form must be the full-space dynamics, whatever forces act (no approximation of the paper).
-TEST_F(ModelTest, CentroidalFormReproducesFullSpaceAccelerations) {
+TEST_P(ModelTest, CentroidalFormReproducesFullSpaceAccelerations) {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   for (int i = 0; i < 200; ++i) {
     model.compute(sample(), t);
@@ -164,7 +167,7 @@ TEST_F(ModelTest, CentroidalFormReproducesFullSpaceAccelerations) {
   }
 }
 
-TEST_F(ModelTest, CentroidalVelocityAndPointVelocitiesAreConsistent) {
+TEST_P(ModelTest, CentroidalVelocityAndPointVelocitiesAreConsistent) {
   for (int i = 0; i < 200; ++i) {
     model.compute(sample(), t);
     const Vec12 feet = jacobian_com(t, t.foot) * t.v_c + jacobian_joints(t, t.foot) * t.state.qd;
@@ -173,7 +176,7 @@ TEST_F(ModelTest, CentroidalVelocityAndPointVelocitiesAreConsistent) {
   }
 }
 
-TEST_F(ModelTest, CompositeInertiaRateAgreesWithFiniteDifferences) {
+TEST_P(ModelTest, CompositeInertiaRateAgreesWithFiniteDifferences) {
   const double s = 1e-6;
   for (int i = 0; i < 200; ++i) {
     const RobotState state = sample();
@@ -185,7 +188,7 @@ TEST_F(ModelTest, CompositeInertiaRateAgreesWithFiniteDifferences) {
 
 // (3) along motions with random joint torques and contact forces: d/dt(M_q qd) by a central difference of rho
 // along the accelerated motion equals CqT_qd + tau + J_j^T f.
-TEST_F(ModelTest, LegMomentumRateObeysEquation3) {
+TEST_P(ModelTest, LegMomentumRateObeysEquation3) {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   const double s = 1e-5;
   for (int i = 0; i < 200; ++i) {

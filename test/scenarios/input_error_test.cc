@@ -290,7 +290,7 @@ TEST(InputError, RobotDescriptionsThatCannotBeUsedAreRefusedWhereTheyAreNamed) {
 
 TEST(InputError, GainSetsAndPlannersAreNamed) {
   EXPECT_EQ(error_of({.name = "case1", .gains = "soft"}),
-            "--gains: there is no 'soft'; there are: paper, swing300, stiff");
+            "--gains: there is no 'soft'; there are: own, paper, swing300, stiff");
   EXPECT_EQ(error_of({.name = "case1", .planner = "best"}),
             "--planner planner.kind: \"best\"; allowed: one of zmp, spline, paper_split");
 }

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "scenarios/gains_name.h"
 #include "scenarios/loader.h"
 #include "test/scenarios/load_one.h"
 #include "test/scenarios/scratch_files.h"
@@ -204,7 +205,37 @@ TEST(GainSets, OfAScenarioAreKeptUntilAnotherIsAskedFor) {
   EXPECT_EQ(own.swing_kp, 7.0);
   EXPECT_EQ(own.swing_kd, 100.0);  // the rest is the paper's
   EXPECT_EQ(own.wrench_kp, (Vec6() << 1, 2, 3, 250, 250, 250).finished());
+  EXPECT_EQ(load_one({.name = path, .gains = "own"}).controller.swing_kp, 7.0);
   EXPECT_EQ(load_one({.name = path, .gains = "paper"}).controller.swing_kp, 25.0);
+}
+
+TEST(GainSets, AreCalledByWhatTheScenarioHas) {
+  const ScratchFiles files;
+  const auto name = [&files](const std::string& text, const ScenarioRequest& request) {
+    files.write("mine.toml", kSmallest + text);
+    return gains_name({(files.directory() / "mine.toml").string(), request.gains, {}, request.overrides}, "");
+  };
+  EXPECT_EQ(name("", {}), "paper");
+  EXPECT_EQ(name("", {.gains = "own"}), "paper");
+  EXPECT_EQ(name("[gains]\nswing_kp_1_s2 = 300\nswing_kd_1_s = 20\n", {}), "swing300");
+  EXPECT_EQ(name("[gains]\nswing_kp_1_s2 = 301\nswing_kd_1_s = 20\n", {}), "own");
+  EXPECT_EQ(name("[gains]\nswing_kp_1_s2 = 301\n", {.gains = "stiff"}), "stiff");
+  EXPECT_EQ(name("", {.overrides = {"gains.swing_kp_1_s2=7"}}), "paper");  // says so in a column of its own
+}
+
+TEST(GainSets, OfAVariantAreItsOwn) {
+  const ScratchFiles files;
+  const std::string path =
+      files.write("mine.toml", kSmallest + "[variant.as_printed]\n[variant.slow.gains]\nswing_kd_1_s = 50\n");
+  EXPECT_EQ(gains_name({.name = path}, "as_printed"), "paper");
+  EXPECT_EQ(gains_name({.name = path}, "slow"), "own");
+}
+
+TEST(GainSets, OfAResolvedFileKeepTheirNameAndTheirValues) {
+  const ScratchFiles files;
+  const std::string stiff = files.write("stiff.toml", resolved_toml({.name = "undisturbed", .gains = "stiff"}, ""));
+  EXPECT_EQ(gains_name({.name = stiff}, ""), "stiff");
+  EXPECT_EQ(load_one({.name = stiff}).controller.wrench_kp[0], 2500.0);
 }
 
 TEST(Layers, OneVariantCanBeAskedForByNameAndByPath) {
@@ -250,6 +281,27 @@ TEST(Layers, APostureGoesWithItsRobot) {
   EXPECT_EQ(config.urdf, files.directory() / "other.urdf");
   EXPECT_EQ(config.posture.size(), 12u);
   EXPECT_EQ(config.posture.at("Front_right_knee"), 1.5);
+}
+
+TEST(Layers, TheTorqueLimitOfAnotherRobotIsTheSmallestEffortOfItsJointsUnlessAFileSaysOne) {
+  const ScratchFiles files;
+  const std::string robot = std::string(DOB_SOURCE_DIR) + "/scenarios/config/robots/quad12.toml";
+  const auto limit = [&](const std::string& text) {
+    files.write("below.toml", kSmallest + "[controller]\ntorque_limit_Nm = 50\n");
+    return load_one({.name = files.write("mine.toml", "base = [\"below.toml\", \"" + robot + "\"]\n" + text)})
+        .controller.torque_limit;
+  };
+  EXPECT_EQ(load_one({.name = "undisturbed"}).controller.torque_limit, 60.0);
+  EXPECT_EQ(limit(""), 33.5);
+  EXPECT_EQ(limit("[controller]\ntorque_limit_Nm = 20\n"), 20.0);
+  std::string weak = read_text(std::string(DOB_SOURCE_DIR) + "/robot/quad12/quad12.urdf");
+  const std::size_t one = weak.rfind("effort=\"33.5\"");
+  files.write("weak.urdf", weak.replace(one, 13, "effort=\"17\""));
+  EXPECT_EQ(limit("[robot]\nurdf = \"weak.urdf\"\nposture_rad = { front_left_roll = 0, front_left_pitch = -0.8, "
+                  "front_left_knee = 1.6, front_right_roll = 0, front_right_pitch = -0.8, front_right_knee = 1.6, "
+                  "hind_left_roll = 0, hind_left_pitch = -0.8, hind_left_knee = 1.6, hind_right_roll = 0, "
+                  "hind_right_pitch = -0.8, hind_right_knee = 1.6 }\n"),
+            17.0);
 }
 
 TEST(Layers, ABoxAndAPointOnTheTrunkAreReadAsWritten) {

@@ -71,6 +71,23 @@ TEST(Base, MayBeAShippedScenario) {
   EXPECT_EQ(mine.disturbances.at(0).p_L, shipped.disturbances.at(0).p_L);
 }
 
+TEST(Base, MayBeSeveralOfWhichTheLaterAreLaidOverTheEarlier) {
+  const ScratchFiles files;
+  files.write("case.toml", kSmallest + "[gait]\nstance_s = 0.2\nswing_s = 0.3\nlate_wait_s = 0.7\n");
+  files.write("robot/mine.toml", "[gait]\nstance_s = 0.4\nswing_s = 0.5\n");  // keys of a robot, no scenario
+  files.write("both.toml", "base = [\"case.toml\", \"robot/mine.toml\"]\n[gait]\nswing_s = 0.6\n");
+  const Scenario both = load(files, "both.toml").at(0);
+  EXPECT_EQ(both.gait.late_wait, 0.7);
+  EXPECT_EQ(both.gait.pattern.stance_duration, 0.4);
+  EXPECT_EQ(both.gait.pattern.swing_duration, 0.6);
+  files.write("both.toml", "base = [\"robot/mine.toml\", \"case.toml/a\"]\n");
+  EXPECT_THAT(error_of(files, "both.toml"), HasSubstr("both.toml:1:28: base: there is no 'a'"));
+  files.write("both.toml", "base = [\"robot/mine.toml\", 3]\n");
+  EXPECT_EQ(error_of(files, "both.toml"), "both.toml:1:28: base: 3; allowed: a scenario's name or file");
+  files.write("both.toml", "base = []\n");
+  EXPECT_EQ(error_of(files, "both.toml"), "both.toml:1:1: base: empty; allowed: names or files");
+}
+
 TEST(Base, ErrorsStayWhereTheyWereWritten) {
   const ScratchFiles files;
   files.write("below.toml", kSmallest + "[gait]\nstance_s = -1\n");

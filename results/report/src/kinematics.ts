@@ -1,7 +1,7 @@
 // Where the feet are, from the trunk's pose and the joint angles of a replay frame.
-import { kLegs, type Robot, type Trace } from "./data";
+import { kLegs, type Report, type Robot, type Trace } from "./data";
 
-export const kNoRobot = "The robot of this run could not be read.";
+export const kNoRobot = "The robot of this scenario could not be read.";
 
 export type Vec = [number, number, number];
 type Rotation = readonly Vec[]; // rows
@@ -12,6 +12,12 @@ const kIdentity: Rotation = [
   [0, 1, 0],
   [0, 0, 1],
 ];
+
+// The robot that walked a scenario; null if it could not be read.
+export function robotOf(report: Report, scenarioId: string): Robot | null {
+  const place = report.scenarios.find((s) => s.id === scenarioId)?.robot ?? null;
+  return place === null ? null : (report.robots[place] ?? null);
+}
 
 // Centres of the feet in the world at frame k, in the order of robot.feet; null without a robot and where the replay
 // lacks a signal.

@@ -3,6 +3,7 @@ import { observerStyles } from "./colors";
 import type { Report } from "./data";
 import { h, replaceContent } from "./dom";
 import { shortName } from "./format";
+import { kNoRobot, robotOf } from "./kinematics";
 import type { Replay } from "./replay/replay";
 import { type Selection, shownTraces } from "./selection";
 import { theme } from "./state";
@@ -39,10 +40,11 @@ export class ReplayHost {
     const first = traces.find((t) => t.info.observer_id === selection.focus.get()) ?? traces[0];
     this.choice.hidden = !first;
     if (!first) {
-      ++this.turn;
-      this.replay?.dispose();
-      this.replay = null;
-      replaceContent(this.host, h("p", { class: "empty" }, "This page holds no replay of this scenario with these observers."));
+      this.sayWhyNot("empty", "This page holds no replay of this scenario with these observers.");
+      return;
+    }
+    if (!robotOf(report, first.info.scenario_id)) {
+      this.sayWhyNot("replay-none", `No replay: ${kNoRobot}`);
       return;
     }
     this.drawChoice(traces.map((t) => t.info.observer_id), first.info.observer_id);
@@ -54,6 +56,13 @@ export class ReplayHost {
       color: styles.get(info.observer_id)!.color,
     }));
     void this.play(shown);
+  }
+
+  private sayWhyNot(kind: string, sentence: string): void {
+    ++this.turn;
+    this.replay?.dispose();
+    this.replay = null;
+    replaceContent(this.host, h("p", { class: kind }, sentence));
   }
 
   private async play(shown: { index: number; label: string; color: string }[]): Promise<void> {

@@ -66,7 +66,7 @@ export class ScenarioView {
     const { report, selection } = this;
     const focused = document.activeElement?.getAttribute("data-test");
     const choices = report.scenarios.map((s) => {
-      const held = report.traces.some((t) => t.scenario_id === s.id && t.setting === selection.setting.get());
+      const held = report.traces.some((t) => t.scenario_id === s.id);
       return { value: s.id, text: `${s.id}${held ? "" : " (no time series)"}`, group: s.scenario };
     });
     const seeds = [...new Set(report.traces.filter((t) => t.scenario_id === selection.scenario.get() && t.setting === selection.setting.get()).map((t) => t.seed))];

@@ -27,7 +27,7 @@ export function makeSelection(report: Report): Selection {
   };
   showProfile(report, selection);
   selection.profile.subscribe(() => showProfile(report, selection));
-  selection.setting.subscribe(() => selectScenario(report, selection, selection.scenario.get())); // another seed, it may be
+  selection.setting.subscribe(() => keepToSetting(report, selection));
   return selection;
 }
 
@@ -72,7 +72,22 @@ export function variantToShow(report: Report, setting: number, scenario: string,
   return variants.find(has) ?? wanted ?? variants[0] ?? "";
 }
 
+// A scenario that has time series with other settings only, as that of another robot may, is shown with those.
 export function selectScenario(report: Report, selection: Selection, id: string): void {
+  const settings = report.traces.filter((t) => t.scenario_id === id).map((t) => t.setting);
+  if (settings.length === 0 || settings.includes(selection.setting.get())) return show(report, selection, id);
+  selection.scenario.set(id);
+  selection.setting.set(settings[0]!);
+}
+
+// Of another setting the same scenario, another seed it may be; the setting's first one where it does not have that.
+function keepToSetting(report: Report, selection: Selection): void {
+  const own = report.traces.filter((t) => t.setting === selection.setting.get()).map((t) => t.scenario_id);
+  const scenario = selection.scenario.get();
+  show(report, selection, own.length === 0 || own.includes(scenario) ? scenario : own[0]!);
+}
+
+function show(report: Report, selection: Selection, id: string): void {
   const seeds = report.traces.filter((t) => t.scenario_id === id && t.setting === selection.setting.get()).map((t) => t.seed);
   if (seeds.length > 0 && !seeds.includes(selection.seed.get())) selection.seed.set(seeds[0]!);
   selection.scenario.set(id);

@@ -1,6 +1,7 @@
 // The ground of a run, as far as the report has it: of one seed and one setting per scenario.
 import type { Box, Report, ScenarioInfo } from "./data";
 import { plural, seconds } from "./format";
+import { robotOf } from "./kinematics";
 
 interface RunOf {
   setting: number;
@@ -29,8 +30,10 @@ export function scenarioFacts(report: Report, scenario: ScenarioInfo, run: RunOf
   const seed = `seed ${run.seed}`;
   if (scenario.duration_s === null) return ["the scenario could not be read: its duration and ground are not known", seed];
   const leg = scenario.metric_leg === "all" ? [] : [`leg ${scenario.metric_leg}`];
-  if (!isOfSetting(report, scenario, run.setting)) return [...leg, "duration and ground as the overrides have them", seed];
+  const robot = robotOf(report, scenario.id);
+  const who = robot ? [`${robot.name}, ${robot.mass_kg.toFixed(1)} kg`] : [];
+  if (!isOfSetting(report, scenario, run.setting)) return [...who, ...leg, "duration and ground as the overrides have them", seed];
   const friction = scenario.friction === null ? [] : [`friction ${scenario.friction}`];
   const ground = scenario.boxes.length > 0 ? plural(scenario.boxes.length, "block") : "level ground";
-  return [seconds(scenario.duration_s), ...leg, ...friction, ground, seed];
+  return [...who, seconds(scenario.duration_s), ...leg, ...friction, ground, seed];
 }

@@ -57,6 +57,7 @@ export interface ScenarioInfo {
   setting?: number;
   boxes: Box[];
   friction: number | null;
+  robot: number | null; // index into robots; null: it could not be read
 }
 
 export type Interval = [number, number];
@@ -179,6 +180,7 @@ export interface Foot {
 
 export interface Robot {
   name: string;
+  mass_kg: number;
   links: Link[];
   feet: Foot[];
 }
@@ -215,7 +217,7 @@ export interface Report {
   cells: Cell[];
   claims: Claim[];
   timing: Timing[];
-  robot: Robot | null; // null: it could not be read
+  robots: Robot[];
   traces: TraceInfo[];
   left_out: { what: string; why: string }[];
   missing: string[];

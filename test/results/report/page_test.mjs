@@ -26,7 +26,7 @@ function pageWith(values, frames, signals, points, plots) {
   const bytes = Buffer.alloc(2 * differences.length);
   differences.forEach((d, i) => bytes.writeUInt16LE(((d % 65536) + 65536) % 65536, 2 * i));
   const info = { scenario_id: "s", replay: { rate_Hz: 25, frames, signals }, plots: { buckets: points / 2, bucket_s: 0.4, points, signals: plots } };
-  const texts = { "report-data": JSON.stringify({ schema: 1, traces: [info] }), "trace-0": deflateSync(bytes).toString("base64") };
+  const texts = { "report-data": JSON.stringify({ schema: 2, traces: [info] }), "trace-0": deflateSync(bytes).toString("base64") };
   return { getElementById: (id) => (id in texts ? { textContent: texts[id] } : null) };
 }
 
@@ -171,14 +171,14 @@ test("falls have an interval in one variant, and none over several", async () =>
 test("blocks are drawn for the seed and the overrides that they are of", async () => {
   const { blocksOf, scenarioFacts } = await load("terrain");
   const box = { center: [0, 0, 0], size: [1, 1, 1], yaw: 0, friction: 0.5 };
-  const scenario = { id: "s", seed: 1, setting: 0, duration_s: 4, metric_leg: "LF", boxes: [box], friction: 0.8 };
+  const scenario = { id: "s", seed: 1, setting: 0, duration_s: 4, metric_leg: "LF", boxes: [box], friction: 0.8, robot: 0 };
   const settings = ["", "", "duration_s=2"].map((overrides, id) => ({ id, gains: `g${id}`, planner: "zmp", overrides }));
   const of = (seed, setting, more = {}) => {
-    const report = { settings, scenarios: [{ ...scenario, ...more }] };
+    const report = { settings, robots: [{ name: "r", mass_kg: 12.776 }], scenarios: [{ ...scenario, ...more }] };
     const { boxes, note } = blocksOf(report, { scenario_id: "s", seed, setting });
     return [boxes.length, note, scenarioFacts(report, report.scenarios[0], { seed, setting }).join(", ")];
   };
-  assert.deepEqual(of(1, 0), [1, "", "4.00 s, leg LF, friction 0.8, 1 block, seed 1"]);
+  assert.deepEqual(of(1, 0), [1, "", "r, 12.8 kg, 4.00 s, leg LF, friction 0.8, 1 block, seed 1"]);
   assert.deepEqual(of(1, 1).slice(0, 2), [1, ""]); // other gains, the same ground
   assert.deepEqual(of(2, 0).slice(0, 2), [0, "The blocks of seed 1 are not those of this run: not drawn."]);
   assert.deepEqual(of(2, 0, { boxes: [] }).slice(0, 2), [0, ""]);
@@ -187,12 +187,13 @@ test("blocks are drawn for the seed and the overrides that they are of", async (
   assert.match(note, /overrides.*not drawn/);
   assert.doesNotMatch(facts, /4\.00 s|friction|block/);
   assert.equal(of(1, 2, { setting: undefined })[0], 1); // a page that does not say
+  assert.match(of(1, 0, { robot: null })[2], /^4\.00 s/);
 });
 
 test("of a scenario that could not be read the page says so, and nothing of its ground", async () => {
   const { blocksOf, scenarioFacts } = await load("terrain");
-  const scenario = { id: "s", seed: 1, setting: 0, duration_s: null, metric_leg: "all", boxes: [], friction: null };
-  const report = { settings: [{ id: 0, overrides: "" }], scenarios: [scenario] };
+  const scenario = { id: "s", seed: 1, setting: 0, duration_s: null, metric_leg: "all", boxes: [], friction: null, robot: null };
+  const report = { settings: [{ id: 0, overrides: "" }], robots: [], scenarios: [scenario] };
   assert.match(blocksOf(report, { scenario_id: "s", seed: 1, setting: 0 }).note, /could not be read/);
   const facts = scenarioFacts(report, scenario, { seed: 1, setting: 0 }).join(", ");
   assert.match(facts, /could not be read/);
@@ -213,6 +214,25 @@ test("the page begins with the setting and the seed of the first time series, an
   assert.equal(selection.seed.get(), 6);
   assert.equal(variantToShow(report, 1, "s", "s/y", "a"), "s/x");
   assert.equal(variantToShow(report, 0, "s", "s/y", "a"), "s/y");
+});
+
+test("a scenario of other settings is shown with those, and a setting without the scenario with its first one", async () => {
+  const { makeSelection, selectScenario } = await load("selection");
+  const trace = (scenario_id, setting, seed) => ({ scenario_id, setting, seed, observer_id: "a" });
+  const report = {
+    settings: [{ id: 0 }, { id: 1 }], run: { seeds: [1] }, observers: [{ id: "a", observer: "a", profile: "-", oracle: false }],
+    scenarios: ["ours", "theirs", "untold"].map((id) => ({ id, scenario: id, variant: "" })),
+    traces: [trace("ours", 0, 1), trace("theirs", 1, 3)],
+  };
+  const selection = makeSelection(report);
+  const state = () => [selection.scenario.get(), selection.setting.get(), selection.seed.get()];
+  assert.deepEqual(state(), ["ours", 0, 1]);
+  selectScenario(report, selection, "theirs");
+  assert.deepEqual(state(), ["theirs", 1, 3]);
+  selection.setting.set(0);
+  assert.deepEqual(state(), ["ours", 0, 1]);
+  selectScenario(report, selection, "untold");
+  assert.deepEqual(state(), ["untold", 0, 1]);
 });
 
 test("a scenario whose observers were run in another profile only has them shown", async () => {
@@ -263,6 +283,14 @@ test("the support polygon is the hull of the feet", async () => {
   const [a, b, inside, c, d] = [[0, 0], [2, 0], [1, 1], [2, 2], [0, 2]].map(([x, y]) => ({ x, y }));
   assert.deepEqual(convexHull([a, b, inside, c, d]), [a, b, c, d]);
   assert.equal(convexHull([a, inside]).length, 2);
+});
+
+test("a scenario is shown with the robot that walked it", async () => {
+  const { robotOf } = await load("kinematics");
+  const scenarios = [0, 1, null].map((robot, i) => ({ id: `s${i}`, robot }));
+  const report = { robots: [{ name: "first" }, { name: "second" }], scenarios };
+  assert.deepEqual(["s0", "s1"].map((id) => robotOf(report, id).name), ["first", "second"]);
+  assert.deepEqual(["s2", "unknown"].map((id) => robotOf(report, id)), [null, null]);
 });
 
 test("a foot is where trunk and joints put it", async () => {

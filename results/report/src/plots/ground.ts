@@ -1,8 +1,8 @@
 // The ground from above at the cursor's time: support polygon, feet, ZMP reference and centre of pressure.
 import type { PlotTrace } from "./plotly";
-import type { Report } from "../data";
+import type { Robot } from "../data";
 import { convexHull, type Point } from "../hull";
-import { footPositions, kNoRobot } from "../kinematics";
+import { footPositions, kNoRobot, robotOf } from "../kinematics";
 import { type Theme, time } from "../state";
 import { type Context, fileName, focused, loadShown, noTrace, type Shown } from "./context";
 import { type Drawing, Figure, type Missing } from "./figure";
@@ -31,13 +31,14 @@ export function groundFigure(context: Context): Figure {
 
 function draw(context: Context, s: Shown | undefined, theme: Theme, width: number): Drawing | Missing {
   if (!s) return noTrace(context);
-  if (!context.report.robot) return { missing: `${kNoRobot} Without it nothing says where the feet are.` };
+  const robot = robotOf(context.report, s.trace.info.scenario_id);
+  if (!robot) return { missing: `${kNoRobot} Without it nothing says where the feet are.` };
   const { rate_Hz, frames } = s.trace.info.replay;
   const k = Math.min(frames - 1, Math.max(0, Math.round(time.get() * rate_Hz)));
   const c = palette(theme);
   const cop = trail(s, "zmp/cop", k);
   const reference = trail(s, "zmp/reference", k);
-  const feet = feetAt(context.report, s, k);
+  const feet = feetAt(robot, s, k);
   const standing = feet.filter((foot) => foot.stands);
   const polygon = convexHull(standing.map((foot) => foot.at));
   const data: PlotTrace[] = [
@@ -84,10 +85,10 @@ function lastOnly(points: readonly Point[], symbol: string, color: string): obje
   return { symbol, color, size: points.map((_, i) => (i === points.length - 1 ? 10 : 0)) };
 }
 
-function feetAt(report: Report, s: Shown, k: number): { leg: string; at: Point; stands: boolean }[] {
-  const positions = footPositions(report.robot, s.trace, k);
-  if (!positions || !report.robot) return [];
-  return report.robot.feet.map((foot, i) => {
+function feetAt(robot: Robot, s: Shown, k: number): { leg: string; at: Point; stands: boolean }[] {
+  const positions = footPositions(robot, s.trace, k);
+  if (!positions) return [];
+  return robot.feet.map((foot, i) => {
     const stance = s.trace.replay(`${foot.leg}/stance`)?.[k] ?? NaN;
     return { leg: foot.leg, at: { x: positions[i]![0], y: positions[i]![1] }, stands: stance > 0.5 };
   });

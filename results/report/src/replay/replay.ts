@@ -1,7 +1,7 @@
 // The 3D replay of one or two runs: shows the shared time, and moves it while it plays.
 import { Vector3 } from "three";
-import { loadTrace, type Report, type Trace } from "../data";
-import { kNoRobot } from "../kinematics";
+import { loadTrace, type Report, type Robot, type Trace } from "../data";
+import { kNoRobot, robotOf } from "../kinematics";
 import { theme, time } from "../state";
 import { Actor } from "./actor";
 import { AxesGizmo } from "./axes_gizmo";
@@ -178,13 +178,11 @@ export class Replay implements ReplayActions {
 
   private makeStage(): Stage | null {
     try {
-      if (!this.data.robot) throw new Error(kNoRobot);
       return new Stage();
     } catch (error) {
       const sentence = document.createElement("p");
       sentence.className = "replay-none";
-      const plots = this.data.robot ? " The plots do not need it." : "";
-      sentence.textContent = `No replay: ${error instanceof Error ? error.message : String(error)}${plots}`;
+      sentence.textContent = `No replay: ${error instanceof Error ? error.message : String(error)} The plots do not need it.`;
       this.root.append(sentence);
       return null;
     }
@@ -208,11 +206,9 @@ export class Replay implements ReplayActions {
   }
 
   private stageRuns(traces: Shown[], loaded: Trace[]): void {
-    const { robot } = this.data;
-    if (!robot) return; // nor is there a stage
     for (const actor of this.actors) actor.dispose();
     const scales = scalesFor(loaded);
-    this.actors = loaded.map((trace, i) => new Actor(this.data, robot, trace, traces[i]?.label ?? "", traces[i]?.color ?? "#777777", scales));
+    this.actors = loaded.map((trace, i) => new Actor(this.data, this.robotOf(trace), trace, traces[i]?.label ?? "", traces[i]?.color ?? "#777777", scales));
     for (const actor of this.actors) this.stage?.scene.add(actor.object);
     this.title = [...new Set(loaded.map((trace) => trace.info.scenario_id))].join(", ");
     const scenario = this.data.scenarios.find((s) => s.id === loaded[0]?.info.scenario_id);
@@ -222,6 +218,12 @@ export class Replay implements ReplayActions {
     this.controls.setLength(this.end, this.rate);
     this.controls.setScales(scales.contact, scales.disturbance);
     this.controls.setFollow(this.camera?.following ?? true);
+  }
+
+  private robotOf(trace: Trace): Robot {
+    const robot = robotOf(this.data, trace.info.scenario_id);
+    if (!robot) throw new Error(kNoRobot); // who shows a run asks first
+    return robot;
   }
 
   private notes(): string[] {
