@@ -10,10 +10,9 @@
 
 #include "bench/build_info.h"
 #include "bench/cell_files.h"
+#include "bench/cell_runs.h"
 #include "bench/progress.h"
 #include "bench/tick_log.h"
-#include "bench/trial.h"
-#include "bench/worker_pool.h"
 #include "observers/pair.h"
 #include "observers/plugin.h"
 #include "results/fingerprint.h"
@@ -39,14 +38,15 @@ class Batch {
     double cost = 0.0;
     for (const std::size_t cell : cells_) cost += expected_cost(cell);
     Progress progress(plan_.cells.size(), plan_.cells.size() - cells_.size(), cost, options_.progress);
-    const auto task = [&](std::size_t i) { return cell_to_line(run_cell(cells_[i])); };
-    const auto done = [&](std::size_t i, const TaskOutcome& outcome) {
-      const CellResult result = outcome.ok ? cell_from_line(outcome.output) : error_row(cells_[i], outcome.reason);
+    std::vector<CellKey> keys;
+    for (const std::size_t cell : cells_) keys.push_back(plan_.cells[cell].key);
+    const auto compute = [&](std::size_t i) { return run_with_files(cells_[i]); };
+    const auto done = [&](std::size_t i, const CellResult& result) {
       store_.append(result);
-      if (!outcome.ok) ++summary_.errors;
+      if (result.outcome == Outcome::kError) ++summary_.errors;
       progress.add(result, expected_cost(cells_[i]));
     };
-    summary_.stop_signal = run_in_processes(cells_.size(), {options_.jobs, options_.timeout_s}, task, done);
+    summary_.stop_signal = run_cells(keys, {options_.jobs, options_.timeout_s}, compute, done);
     return summary_;
   }
 
@@ -97,7 +97,7 @@ class Batch {
   }
 
   // In the cell's own process.
-  CellResult run_cell(std::size_t index) const {
+  CellResult run_with_files(std::size_t index) const {
     const PlannedCell& cell = plan_.cells[index];
     const Scenario& scenario = plan_.scenarios[cell.scenario];
     const std::string name = cell_file_name(index, cell.key);
@@ -105,8 +105,7 @@ class Batch {
     std::optional<TraceRecorder> trace;
     if (options_.log_csv) log.emplace(store_.dir() / "logs" / (name + ".csv"), options_.log_rate, scenario.sim.dt);
     if (keeps(index)) trace.emplace(kTraceRate, scenario.sim.dt);
-    Trial trial(scenario, cell.observer, cell.key.seed, cell.shadows);
-    CellResult result = trial.run([&](const TickRecord& tick) {
+    CellResult result = run_cell(scenario, cell, [&](const TickRecord& tick) {
       if (log) log->add(tick);
       if (trace) trace->add(tick);
     });
@@ -115,15 +114,6 @@ class Batch {
       result.trace = "traces/" + name + ".dobtrace";
       write_trace(store_.dir() / result.trace, trace->trace());
     }
-    result.key = cell.key;
-    return result;
-  }
-
-  CellResult error_row(std::size_t cell, const std::string& reason) const {
-    CellResult result;
-    result.key = plan_.cells[cell].key;
-    result.outcome = Outcome::kError;
-    result.reason = reason;
     return result;
   }
 
@@ -176,7 +166,9 @@ RunInfo run_info(const BatchPlan& plan, const std::string& command_line) {
                .flags = build.flags,
                .machine = this_machine(),
                .date = utc_now(),
-               .cells = {}};
+               .cells = {},
+               .sources = {},
+               .code_path = this_code_path()};
   ObserverSources observers;
   for (const PlannedCell& cell : plan.cells) {
     info.cells.push_back(cell.key);

@@ -34,5 +34,6 @@ Command add_run_command(CLI::App& app, const std::string& command_line);
 Command add_table_command(CLI::App& app);
 Command add_timing_command(CLI::App& app, const std::string& command_line);
 Command add_tune_command(CLI::App& app, const std::string& command_line);
+Command add_verify_command(CLI::App& app);
 
 }  // namespace dob

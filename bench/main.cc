@@ -33,6 +33,7 @@ int run(int argc, char** argv) {
       {"table", dob::add_table_command(app)},
       {"timing", dob::add_timing_command(app, command_line(argc, argv))},
       {"tune", dob::add_tune_command(app, command_line(argc, argv))},
+      {"verify", dob::add_verify_command(app)},
   };
   try {
     app.parse(argc, argv);

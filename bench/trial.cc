@@ -2,13 +2,13 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <random>
 #include <stdexcept>
 
 #include <Eigen/LU>
 #include <fmt/format.h>
 
+#include "bench/state_hash.h"
 #include "observers/factory.h"
 #include "results/metrics.h"
 #include "robot/standing_pose.h"
@@ -19,24 +19,6 @@ namespace dob {
 namespace {
 
 constexpr std::uint32_t kStartStream = 0x57a7u;  // sets what apply_seed() draws apart from other draws of the seed
-
-// FNV-1a over the bytes of a state: equal bits, equal hash.
-std::uint64_t hash_state(std::uint64_t hash, const RobotState& s) noexcept {
-  const auto add = [&hash](const double* data, int count) {
-    for (int i = 0; i < count; ++i) {
-      std::uint64_t bits = 0;
-      std::memcpy(&bits, data + i, sizeof bits);
-      hash = (hash ^ bits) * 0x100000001b3ULL;
-    }
-  };
-  add(s.p_WB.data(), 3);
-  add(s.R_WB.data(), 9);
-  add(s.v_WB.data(), 3);
-  add(s.omega_WB.data(), 3);
-  add(s.q.data(), kJoints);
-  add(s.qd.data(), kJoints);
-  return hash;
-}
 
 // What controller and observer take the robot to be.
 RobotDescription believed_robot(const RobotDescription& robot, const ModelError& error) {
@@ -202,7 +184,7 @@ CellResult Trial::run(const Sink& sink) {
                 .overrides = {},
                 .seed = seed_};
   result.outcome = Outcome::kSurvived;
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  std::uint64_t hash = kNoStates;
   while (tick_ < ticks) {
     const bool up = tick();
     hash = hash_state(hash, true_terms().state);

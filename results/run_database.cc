@@ -17,7 +17,8 @@ constexpr int kBusyTimeout = 60'000;        // [ms] to wait for another process'
 
 constexpr const char* kTables = R"(
 CREATE TABLE batch(id INTEGER PRIMARY KEY, date TEXT, command_line TEXT, version TEXT, commit_id TEXT, build TEXT,
-                   compiler TEXT, flags TEXT, cpu TEXT, cores INTEGER, os TEXT);
+                   compiler TEXT, flags TEXT, cpu TEXT, cores INTEGER, os TEXT, model_path TEXT, libraries TEXT,
+                   cpu_flags TEXT);
 CREATE TABLE scenario(id INTEGER PRIMARY KEY, file TEXT NOT NULL UNIQUE, hash TEXT NOT NULL);
 CREATE TABLE observer(id INTEGER PRIMARY KEY, options TEXT NOT NULL UNIQUE);
 CREATE TABLE cell(id INTEGER PRIMARY KEY, scenario TEXT, variant TEXT, observer TEXT, profile TEXT, gains TEXT,
@@ -120,6 +121,14 @@ std::string insert_into(std::string_view table, const std::vector<std::string>& 
   const std::vector<std::string> places(columns.size(), "?");
   return fmt::format("INSERT OR REPLACE INTO {}({}) VALUES({})", table, fmt::join(columns, ", "),
                      fmt::join(places, ", "));
+}
+
+std::set<std::string> columns_of(SQLite::Database& database, const std::string& table) {
+  std::set<std::string> columns;
+  SQLite::Statement query(database, "SELECT name FROM pragma_table_info(?)");
+  query.bind(1, table);
+  while (query.executeStep()) columns.insert(query.getColumn(0).getString());
+  return columns;
 }
 
 std::vector<std::string> result_columns() {

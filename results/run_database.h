@@ -1,6 +1,8 @@
 // run.sqlite: its tables, and opening them. Private to results/.
 //
-//   batch       what computed: command line, program, compiler, machine; one row for each time the run was gone on with
+//   batch       what computed: command line, program, compiler, code path, machine; one row for each time the run was
+//   gone
+//               on with
 //   scenario    resolved scenarios: file name, hash of the text
 //   observer    resolved options and routing of the observers
 //   cell        the planned cells; id = place in the tables, from 1
@@ -20,6 +22,7 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -121,6 +124,9 @@ inline const std::vector<std::string> kKeyColumns{"scenario", "variant", "observ
 
 // "INSERT OR REPLACE INTO table(columns) VALUES(?, ...)"
 std::string insert_into(std::string_view table, const std::vector<std::string>& columns);
+
+// Of a table as it is in this database; none when it is not there.
+std::set<std::string> columns_of(SQLite::Database& database, const std::string& table);
 
 // Columns of the table `result`, and those of the others that are lists of numbers behind `head`.
 std::vector<std::string> result_columns();

@@ -1,6 +1,8 @@
 #include "results/run_plan.h"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -8,6 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "results/fingerprint.h"
+#include "results/run_directory.h"
 
 namespace dob {
 namespace {
@@ -16,6 +19,38 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> kBatchColumns{"date",     "command_line", "version", "commit_id", "build",
                                              "compiler", "flags",        "cpu",     "cores",     "os"};
+const std::vector<std::string> kCodePathColumns{"model_path", "libraries", "cpu_flags"};
+
+std::vector<std::string> batch_columns() {
+  std::vector<std::string> columns = kBatchColumns;
+  columns.insert(columns.end(), kCodePathColumns.begin(), kCodePathColumns.end());
+  return columns;
+}
+
+// Of the table `batch` of this run: '' for what was not kept yet when it was made.
+std::vector<std::string> batch_columns_there(SQLite::Database& database) {
+  const std::set<std::string> there = columns_of(database, "batch");
+  std::vector<std::string> columns = batch_columns();
+  for (std::string& column : columns) {
+    if (!there.contains(column)) column = "''";
+  }
+  return columns;
+}
+
+RunInfo batch_of(const SQLite::Statement& row) {
+  const auto text = [&row](int i) { return row.getColumn(i).getString(); };
+  return {.command_line = text(1),
+          .version = text(2),
+          .commit = text(3),
+          .build = text(4),
+          .compiler = text(5),
+          .flags = text(6),
+          .machine = {text(7), row.getColumn(8).getInt(), text(9)},
+          .date = text(0),
+          .cells = {},
+          .sources = {},
+          .code_path = {text(10), text(11), text(12)}};
+}
 
 // Names to ids, adding a row for a new name.
 class Names {
@@ -64,6 +99,16 @@ std::string describe_missing(const std::vector<CellKey>& keys, const std::vector
   throw StoreError(fmt::format("{}: cannot be resumed: {}", dir.string(), what));
 }
 
+// Resolved scenarios by name.
+std::map<std::string, std::string> scenario_hashes(const fs::path& dir, SQLite::Database& database) {
+  return with_database(dir / kDatabaseFile, [&] {
+    std::map<std::string, std::string> hashes;
+    SQLite::Statement query(database, "SELECT file, hash FROM scenario");
+    while (query.executeStep()) hashes[query.getColumn(0).getString()] = query.getColumn(1).getString();
+    return hashes;
+  });
+}
+
 void require_same_sources(const fs::path& dir, const RunInfo& run, const RunInfo& now) {
   for (std::size_t i = 0; i < std::min(run.sources.size(), now.sources.size()); ++i) {
     if (run.sources[i].observer == now.sources[i].observer) continue;
@@ -94,7 +139,7 @@ void write_plan(SQLite::Database& database, const RunInfo& info, const std::vect
 }
 
 long add_batch(SQLite::Database& database, const RunInfo& now) {
-  SQLite::Statement insert(database, insert_into("batch", kBatchColumns));
+  SQLite::Statement insert(database, insert_into("batch", batch_columns()));
   RowBinder(insert)
       .add(now.date)
       .add(now.command_line)
@@ -105,24 +150,20 @@ long add_batch(SQLite::Database& database, const RunInfo& now) {
       .add(now.flags)
       .add(now.machine.cpu)
       .add(static_cast<long>(now.machine.cores))
-      .add(now.machine.os);
+      .add(now.machine.os)
+      .add(now.code_path.model)
+      .add(now.code_path.libraries)
+      .add(now.code_path.cpu_flags);
   insert.exec();
   return database.getLastInsertRowid();
 }
 
 RunInfo read_info(SQLite::Database& database) {
-  SQLite::Statement batch(database, fmt::format("SELECT {} FROM batch ORDER BY id", fmt::join(kBatchColumns, ", ")));
+  SQLite::Statement batch(
+      database, fmt::format("SELECT {} FROM batch ORDER BY id", fmt::join(batch_columns_there(database), ", ")));
   if (!batch.executeStep()) throw std::runtime_error("has no batch");
   const auto text = [](const SQLite::Statement& row, int i) { return row.getColumn(i).getString(); };
-  RunInfo info{.command_line = text(batch, 1),
-               .version = text(batch, 2),
-               .commit = text(batch, 3),
-               .build = text(batch, 4),
-               .compiler = text(batch, 5),
-               .flags = text(batch, 6),
-               .machine = {text(batch, 7), batch.getColumn(8).getInt(), text(batch, 9)},
-               .date = text(batch, 0),
-               .cells = {}};
+  RunInfo info = batch_of(batch);
   SQLite::Statement cell(database,
                          fmt::format("SELECT cell.{}, file, options FROM cell LEFT JOIN scenario ON scenario.id = "
                                      "scenario_id LEFT JOIN observer ON observer.id = observer_id ORDER BY cell.id",
@@ -135,6 +176,15 @@ RunInfo read_info(SQLite::Database& database) {
   return info;
 }
 
+std::map<long, Provenance> read_programs(SQLite::Database& database) {
+  SQLite::Statement batch(database,
+                          fmt::format("SELECT {}, id FROM batch", fmt::join(batch_columns_there(database), ", ")));
+  std::map<long, Provenance> programs;
+  const int id = static_cast<int>(batch_columns().size());
+  while (batch.executeStep()) programs[batch.getColumn(id).getInt64()] = batch_of(batch).provenance();
+  return programs;
+}
+
 std::string select_cell_id() {
   return fmt::format("SELECT id FROM cell WHERE {} = ?", fmt::join(kKeyColumns, " = ? AND "));
 }
@@ -142,6 +192,21 @@ std::string select_cell_id() {
 RunInfo read_run_info(const fs::path& dir) {
   SQLite::Database database = open_database(dir);
   return with_database(dir / kDatabaseFile, [&] { return read_info(database); });
+}
+
+ResolvedScenario read_resolved(const fs::path& dir, const std::string& name) {
+  check_names({{name, ""}});
+  SQLite::Database database = open_database(dir);
+  const std::map<std::string, std::string> hashes = scenario_hashes(dir, database);
+  const fs::path file = dir / "scenarios" / (name + ".toml");
+  std::ifstream in(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (!in) throw StoreError(file.string() + ": cannot be read");
+  const auto hash = hashes.find(name);
+  if (hash == hashes.end() || hash->second != fingerprint(text)) {
+    throw StoreError(file.string() + ": is not the scenario that the run began with");
+  }
+  return {name, std::move(text)};
 }
 
 void require_same_program(const fs::path& dir, const RunInfo& now) {
@@ -162,11 +227,7 @@ void require_same_plan(const fs::path& dir, const RunInfo& now, const std::vecto
                             differences.empty() ? " in their order" : differences, run.command_line));
   }
   require_same_sources(dir, run, now);
-  std::map<std::string, std::string> hashes;
-  SQLite::Statement query(database, "SELECT file, hash FROM scenario");
-  with_database(dir / kDatabaseFile, [&] {
-    while (query.executeStep()) hashes[query.getColumn(0).getString()] = query.getColumn(1).getString();
-  });
+  std::map<std::string, std::string> hashes = scenario_hashes(dir, database);
   for (const ResolvedScenario& scenario : scenarios) {
     if (hashes[scenario.name] == fingerprint(scenario.toml)) continue;
     refuse(dir,

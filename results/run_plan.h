@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ long add_batch(SQLite::Database& database, const RunInfo& now);
 
 // What began the run, with its cells and their sources.
 RunInfo read_info(SQLite::Database& database);
+
+// What computed, by the id of the batch.
+std::map<long, Provenance> read_programs(SQLite::Database& database);
 
 std::string select_cell_id();  // by a key
 

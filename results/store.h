@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "results/cell.h"
+#include "results/code_path.h"
 #include "results/machine.h"
 
 namespace dob {
@@ -33,6 +34,9 @@ struct RunInfo {
   std::string date;                      // UTC, ISO 8601
   std::vector<CellKey> cells;            // all that belong to the run, in the order of its tables
   std::vector<CellSource> sources = {};  // of the cells, in their order; or empty
+  CodePath code_path = {};               // its fields are "" in a run from before they were kept
+
+  Provenance provenance() const { return {version, commit, build, compiler, flags, code_path}; }
 };
 
 struct ResolvedScenario {
@@ -41,10 +45,12 @@ struct ResolvedScenario {
 };
 
 struct Run {
-  RunInfo info;                     // of the batch that began it
-  std::vector<CellResult> cells;    // finished ones, in the order of info.cells
-  std::vector<CellTiming> timings;  // of a serial pass, in the order of info.cells; not every cell has one
-  std::vector<std::string> notes;   // what was odd and could be read all the same
+  RunInfo info;                              // of the batch that began it
+  std::vector<CellResult> cells;             // finished ones, in the order of info.cells
+  std::vector<CellTiming> timings;           // of a serial pass, in the order of info.cells; not every cell has one
+  std::vector<std::string> notes;            // what was odd and could be read all the same
+  std::vector<Provenance> programs = {};     // that have computed the cells
+  std::vector<std::size_t> program_of = {};  // of each of `cells`: index into `programs`
 };
 
 // What has become of a planned cell.
@@ -110,6 +116,10 @@ RunInfo read_run_info(const std::filesystem::path& dir);
 
 // A whole run; a batch may be writing it at the same time.
 Run read_run(const std::filesystem::path& dir);
+
+// The resolved copy of a scenario, as the run began with it. Throws StoreError when there is none of that name, or when
+// its text is not the one whose hash the database holds.
+ResolvedScenario read_resolved(const std::filesystem::path& dir, const std::string& name);
 
 // The cells of read_run.
 std::vector<CellResult> read_cells(const std::filesystem::path& dir);

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -54,6 +56,7 @@ class Reader {
   Run read() {
     const SQLite::Transaction one_state_of_it(database_);
     run_.info = read_info(database_);
+    batches_ = read_programs(database_);
     read_results();
     read_checkpoints();
     read_shadows();
@@ -64,14 +67,6 @@ class Reader {
   }
 
  private:
-  std::set<std::string> columns_of(const std::string& table) {
-    std::set<std::string> columns;
-    SQLite::Statement query(database_, "SELECT name FROM pragma_table_info(?)");
-    query.bind(1, table);
-    while (query.executeStep()) columns.insert(query.getColumn(0).getString());
-    return columns;
-  }
-
   // Of the row of `table`: its first column is the cell.
   const CellKey& key_of(const SQLite::Statement& row, std::string_view table) const {
     const std::int64_t cell = row.getColumn(0).getInt64();
@@ -83,7 +78,7 @@ class Reader {
 
   // A metric that was not measured yet when the run was made has no column there.
   void read_results() {
-    const std::set<std::string> there = columns_of("result");
+    const std::set<std::string> there = columns_of(database_, "result");
     std::vector<std::string> columns = result_columns();
     for (std::string& column : columns) {
       if (there.count(column) > 0) continue;
@@ -94,7 +89,17 @@ class Reader {
     while (row.executeStep()) {
       place_[row.getColumn(0).getInt64()] = run_.cells.size();
       run_.cells.push_back(result_of(row));
+      run_.program_of.push_back(program_of(row.getColumn(1).getInt64()));
     }
+  }
+
+  // Index into run_.programs. Batches of one program are one there.
+  std::size_t program_of(long batch) {
+    const auto it = batches_.find(batch);
+    if (it == batches_.end()) throw std::invalid_argument(fmt::format("table result: there is no batch {}", batch));
+    const auto place = std::find(run_.programs.begin(), run_.programs.end(), it->second) - run_.programs.begin();
+    if (place == std::ssize(run_.programs)) run_.programs.push_back(it->second);
+    return static_cast<std::size_t>(place);
   }
 
   CellResult result_of(const SQLite::Statement& row) const {
@@ -164,7 +169,7 @@ class Reader {
 
   // Each behind the other, from the shortest; a run from before they were kept has none.
   void read_histograms() {
-    if (columns_of(kHistogramTable).empty()) return;
+    if (columns_of(database_, kHistogramTable).empty()) return;
     std::map<CellKey, CellTiming*> timings;
     for (CellTiming& timing : run_.timings) timings[timing.key] = &timing;
     SQLite::Statement row(database_, fmt::format("SELECT {} FROM {} ORDER BY cell, quantity, low_us",
@@ -189,10 +194,14 @@ class Reader {
     std::vector<std::string> cpus;
     while (row.executeStep()) cpus.push_back(row.getColumn(0).getString());
     if (cpus.size() > 1) run_.notes.push_back(fmt::format("computed on several machines: {}", fmt::join(cpus, "; ")));
+    for (std::size_t i = 1; i < run_.programs.size(); ++i) {
+      run_.notes.push_back("computed on several code paths: " + differences(run_.programs[0], run_.programs[i]));
+    }
   }
 
   SQLite::Database& database_;
   Run run_;
+  std::map<long, Provenance> batches_;
   std::map<std::int64_t, std::size_t> place_;  // cell -> index into run_.cells
 };
 

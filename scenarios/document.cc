@@ -128,8 +128,12 @@ Node parse_file(const std::filesystem::path& file) {
   if (!stream || !std::filesystem::is_regular_file(file, ignored))
     throw InputError({source}, "", "cannot be read; a TOML file is needed");
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  return parse_text(text, source);
+}
+
+Node parse_text(std::string_view text, const std::string& source) {
   try {
-    return convert(toml::parse(std::string_view(text), std::string_view(source)), {source, 1, 1});
+    return convert(toml::parse(text, std::string_view(source)), {source, 1, 1});
   } catch (const toml::parse_error& error) {
     throw InputError(place_of(source, error.source()), "", std::string(error.description()));
   }

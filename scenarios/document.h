@@ -34,6 +34,9 @@ struct Entry {
 // Throws InputError: a file that cannot be read, TOML that cannot be parsed (line and column), dates and times.
 Node parse_file(const std::filesystem::path& file);
 
+// The same of a text; `source` is what messages call it.
+Node parse_text(std::string_view text, const std::string& source);
+
 // Letters, digits, _ and - only: a key that needs no quotes, and what we allow as a name.
 bool is_bare_key(std::string_view text);
 

@@ -19,6 +19,7 @@ namespace {
 
 using test::key;
 using test::read_text;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -36,7 +37,9 @@ class StoreTest : public ::testing::Test {
             "-O3",
             {"Some CPU @ 3 GHz", 2, "Debian 12"},
             "2026-01-02T03:04:05Z",
-            std::move(cells)};
+            std::move(cells),
+            {},
+            {"portable", "glibc 2.36, libm.so.6 0123", "avx2 fma"}};
   }
 };
 
@@ -55,6 +58,37 @@ TEST_F(StoreTest, RunInformationReadsBack) {
   EXPECT_EQ(back.machine.os, info.machine.os);
   EXPECT_EQ(back.date, info.date);
   EXPECT_EQ(back.cells, info.cells);
+  EXPECT_EQ(back.code_path, info.code_path);
+}
+
+TEST_F(StoreTest, EveryCellKnowsTheProgramAndTheCodePathThatComputedIt) {
+  const CellResult a = test::survived(key("s", "", "a", "-", 1), 1.0),
+                   b = test::survived(key("s", "", "b", "-", 1), 2.0);
+  const CellResult c = test::survived(key("s", "", "c", "-", 1), 3.0);
+  RunInfo info = info_of({a.key, b.key, c.key});
+  RunStore::create(dir, info, {}).append(a);
+  RunStore::open(dir, info).append(c);
+  info.code_path.cpu_flags = "sse4.1";
+  RunStore::open(dir, info).append(b);
+  const auto run = read_run(dir);
+  ASSERT_EQ(run.programs.size(), 2U);
+  ASSERT_EQ(run.program_of.size(), run.cells.size());
+  const auto flags = [&](std::size_t cell) { return run.programs[run.program_of[cell]].path.cpu_flags; };
+  EXPECT_EQ(flags(0), "avx2 fma");
+  EXPECT_EQ(flags(1), "sse4.1");
+  EXPECT_EQ(flags(2), "avx2 fma");
+  EXPECT_EQ(run.programs[0].commit, "0123abc");
+  EXPECT_THAT(run.notes, ElementsAre(AllOf(HasSubstr("several code paths"), HasSubstr("CPU flags: 'avx2 fma' there"))));
+}
+
+TEST_F(StoreTest, ARunFromBeforeTheCodePathWasKeptIsReadWithoutOne) {
+  const CellResult a = test::survived(key("s", "", "a", "-", 1), 1.0);
+  RunStore::create(dir, info_of({a.key}), {}).append(a);
+  SQLite::Database database((dir / "run.sqlite").string(), SQLite::OPEN_READWRITE);
+  database.exec("DROP VIEW overview; ALTER TABLE batch DROP COLUMN cpu_flags; ALTER TABLE batch DROP COLUMN libraries");
+  const auto run = read_run(dir);
+  EXPECT_EQ(run.programs.at(0).path, (CodePath{"portable", "", ""}));
+  EXPECT_EQ(run.info.compiler, "g++ 12.2.0");
 }
 
 TEST_F(StoreTest, ScenariosAreWrittenAsGiven) {

@@ -1,0 +1,45 @@
+#include "bench/cell_runs.h"
+
+#include <string>
+
+#include "results/store.h"
+
+namespace dob {
+namespace {
+
+CellResult error_row(const CellKey& key, const std::string& reason) {
+  CellResult result;
+  result.key = key;
+  result.outcome = Outcome::kError;
+  result.reason = reason;
+  return result;
+}
+
+// What has come from a cell's process is looked at before it is believed.
+CellResult result_from(const CellKey& key, const TaskOutcome& outcome) {
+  if (!outcome.ok) return error_row(key, outcome.reason);
+  try {
+    CellResult result = cell_from_line(outcome.output);
+    return result.key == key ? result : error_row(key, "sent home the result of another cell");
+  } catch (const StoreError& error) {
+    return error_row(key, error.what());
+  }
+}
+
+}  // namespace
+
+CellResult run_cell(const Scenario& scenario, const PlannedCell& cell, const Trial::Sink& sink) {
+  CellResult result = Trial(scenario, cell.observer, cell.key.seed, cell.shadows).run(sink);
+  result.key = cell.key;
+  return result;
+}
+
+int run_cells(const std::vector<CellKey>& keys, const WorkerOptions& options,
+              const std::function<CellResult(std::size_t)>& compute,
+              const std::function<void(std::size_t, const CellResult&)>& done) {
+  const auto task = [&](std::size_t i) { return cell_to_line(compute(i)); };
+  const auto ended = [&](std::size_t i, const TaskOutcome& outcome) { done(i, result_from(keys[i], outcome)); };
+  return run_in_processes(keys.size(), options, task, ended);
+}
+
+}  // namespace dob
