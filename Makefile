@@ -4,7 +4,7 @@ JOBS ?= $(shell nproc)
 PAPER_SET = none momentum com_wrench nonlinear_dob momentum_com oracle_full
 WERROR ?= $(if $(DOB_WERROR),$(DOB_WERROR),OFF)
 
-.PHONY: run test build setup paper publish everything batch-smoke order-study lint coverage mutation tsan docs format clean
+.PHONY: run test build setup paper publish everything batch-smoke order-study repeatability lint coverage mutation tsan docs format clean
 
 run: build
 	build/bin/dobbench run $(addprefix --observer ,$(PAPER_SET)) --profile paper --profile tuned --seeds 3 --claims --jobs $(JOBS)
@@ -52,11 +52,17 @@ batch-smoke: build
 	build/bin/dobbench table build/smoke/one --format json > build/smoke/one.json
 	build/bin/dobbench table build/smoke/two --format json > build/smoke/two.json
 	cmp build/smoke/one.json build/smoke/two.json
+	build/bin/dobbench verify build/smoke/two --sample 6 --jobs 2
 
 # Section 5.2 of the paper: observers of order 1 to 5 (docs/order-study.md).
 order-study: build
 	rm -rf build/order-study
 	bench/order_study.sh build/order-study $(JOBS)
+
+# Other compilers, flags and C library functions against this build (docs/repeatability.md): half an hour and more.
+repeatability: build
+	.ci/setup .ci/packages-checks
+	bench/repeatability.sh build/repeatability $(JOBS)
 
 # Gates that take too long for every push; last results in docs/quality.md.
 lint: build
