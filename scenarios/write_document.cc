@@ -1,5 +1,6 @@
 // From a document back to TOML text.
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
@@ -39,7 +40,10 @@ std::string key_text(const std::string& key) {
 
 struct ValueWriter {
   std::string operator()(bool flag) const { return flag ? "true" : "false"; }
-  std::string operator()(double number) const { return fmt::format("{}", number); }  // shortest exact form
+  // The shortest exact form. A `-0` without a point would be an integer, which has no sign of zero.
+  std::string operator()(double number) const {
+    return number == 0.0 && std::signbit(number) ? "-0.0" : fmt::format("{}", number);
+  }
   std::string operator()(const std::string& text) const { return in_quotes(text); }
   std::string operator()(const Array& array) const {
     std::string result;

@@ -23,7 +23,7 @@ using ::testing::HasSubstr;
 // Six short cells: a pair, options, shadows, two seeds.
 constexpr const char* kWhat =
     "run case1/tip_lateral --observer none --observer momentum:gain_scale=2 --observer legs=momentum,com=com_wrench "
-    "--shadow eso,com_kalman:linear_process=0.5 --profile paper --seeds 2 --set duration_s=0.3 --keep none ";
+    "--shadow eso,com_kalman:linear_process=0.5 --profile paper --seeds 2 --set duration_s=0.3 ";
 constexpr const char* kTwo = "run undisturbed --observer none --seeds 2 --set duration_s=0.2 ";
 
 class VerifyCommand : public test::CommandLine {
@@ -107,7 +107,7 @@ TEST_F(VerifyCommand, AnAlteredHashIsADifferenceAndItsCellIsNamed) {
   EXPECT_EQ(answer.exit_code, 1);
   EXPECT_THAT(answer.out, AllOf(HasSubstr("undisturbed"), HasSubstr("state hash"), HasSubstr("different")));
   EXPECT_THAT(dobbench("verify run --format csv").out,
-              AllOf(HasSubstr("none,-,paper,zmp,duration_s=0.2,1,equal,"), HasSubstr(",2,different,state hash")));
+              AllOf(HasSubstr("none,-,paper,zmp,duration_s=0.2,1,equal,"), HasSubstr(",2,different,\"state hash")));
 }
 
 TEST_F(VerifyCommand, AMetricOrAnOutcomeThatTheCellDoesNotHaveIsFound) {
@@ -119,8 +119,9 @@ TEST_F(VerifyCommand, AMetricOrAnOutcomeThatTheCellDoesNotHaveIsFound) {
   });
   const Answer answer = dobbench("verify run --format csv");
   EXPECT_EQ(answer.exit_code, 1);
-  EXPECT_THAT(answer.out, AllOf(HasSubstr(",1,different,the same trajectory by its hash"), HasSubstr("com_error_max_m"),
-                                HasSubstr(",2,outcome flipped,fell at 0.2 s (trunk low) stored")));
+  EXPECT_THAT(answer.out,
+              AllOf(HasSubstr(",1,different,\"the same trajectory by its hash"), HasSubstr("com_error_max_m"),
+                    HasSubstr(",2,outcome flipped,\"fell at 0.2 s (trunk low) stored")));
 }
 
 TEST_F(VerifyCommand, RowsOfAnotherCodePathAreRefusedUnlessAskedFor) {
