@@ -4,7 +4,7 @@ JOBS ?= $(shell nproc)
 PAPER_SET = none momentum com_wrench nonlinear_dob momentum_com oracle_full
 WERROR ?= $(if $(DOB_WERROR),$(DOB_WERROR),OFF)
 
-.PHONY: run test build setup paper publish everything batch-smoke order-study repeatability lint coverage mutation tsan docs format clean
+.PHONY: run test build setup paper publish everything batch-smoke order-study repeatability lint coverage mutation tsan fuzz docs format clean
 
 run: build
 	build/bin/dobbench run $(addprefix --observer ,$(PAPER_SET)) --profile paper --profile tuned --seeds 3 --claims --jobs $(JOBS)
@@ -81,6 +81,12 @@ tsan: setup
 	cmake --build --preset tsan -j $(JOBS) --target robot_test results_test
 	build/tsan/bin/robot_test --gtest_brief=1
 	build/tsan/bin/results_test --gtest_brief=1
+
+# Hostile input: every fuzz target for ten minutes, two at a time (docs/fuzzing.md).
+FUZZ_SECONDS ?= 600
+fuzz: setup
+	.ci/setup .ci/packages-checks
+	.ci/check-fuzz $(FUZZ_SECONDS)
 
 # The API and the pages as HTML, build/docs/html/index.html; every warning is an error. Needs doxygen.
 docs:

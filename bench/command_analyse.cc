@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/commands.h"
+#include "bench/number_between.h"
 #include "observers/analysis.h"
 #include "observers/factory.h"
 #include "robot/standing_pose.h"
@@ -237,7 +238,7 @@ Command add_analyse_command(CLI::App& app) {
   command->add_option("--profile", arguments->profiles, "gains of the observers; every one by default")
       ->allow_extra_args(false);
   command->add_option("--tick", arguments->tick, "control tick [s] (default: that of the scenarios)")
-      ->check(CLI::Range(1e-6, 1.0));
+      ->check(number_between(1e-6, 1.0));
   command->add_flag("--json", arguments->json, "as JSON");
   return [arguments] { return run(*arguments); };
 }

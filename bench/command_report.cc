@@ -6,6 +6,7 @@
 
 #include "bench/build_info.h"
 #include "bench/commands.h"
+#include "bench/number_between.h"
 #include "results/report.h"
 #include "scenarios/input_error.h"
 
@@ -49,7 +50,7 @@ Command add_report_command(CLI::App& app) {
   command
       ->add_option("--max-size", arguments->options.max_megabytes,
                    "size of the page [MB] (default 12); time series that do not fit are left out")
-      ->check(CLI::Range(0.0, 1e4));
+      ->check(number_between(0.0, 1e4));
   return [arguments] { return run(*arguments); };
 }
 

@@ -12,6 +12,7 @@
 #include "bench/batch.h"
 #include "bench/claims_report.h"
 #include "bench/commands.h"
+#include "bench/number_between.h"
 #include "bench/shell_words.h"
 #include "results/table.h"
 #include "scenarios/input_error.h"
@@ -163,12 +164,12 @@ CLI::App* add_options(CLI::App& app, Arguments* arguments) {
   command->add_flag("--retry-errors", options.retry_errors, "run those cells again")->needs(resume);
   command->add_option("--log", arguments->log, "csv: time series of every cell as a file, for PlotJuggler")
       ->check(CLI::IsMember({"none", "csv"}));
-  command->add_option("--log-rate", options.log_rate, "of these [Hz] (default 1000)")->check(CLI::Range(1e-3, 1e6));
+  command->add_option("--log-rate", options.log_rate, "of these [Hz] (default 1000)")->check(number_between(1e-3, 1e6));
   command
       ->add_option("--keep", arguments->keep, "cells whose time series the run keeps: none, first-seed (default), all")
       ->transform(CLI::CheckedTransformer(keeps));
   command->add_option("--timeout", options.timeout_s, "wall time for one cell [s]; 0: none")
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(number_between(0.0, 1e9));
   return command;
 }
 

@@ -6,6 +6,7 @@
 
 #include "bench/batch.h"
 #include "bench/commands.h"
+#include "bench/number_between.h"
 #include "bench/timing.h"
 #include "bench/worker_pool.h"
 #include "results/store.h"
@@ -106,7 +107,7 @@ Command add_timing_command(CLI::App& app, const std::string& command_line) {
   command->add_option("--planner", request.planner, "as for `run`");
   command->add_option("--set", request.overrides, "as for `run`")->allow_extra_args(false);
   command->add_option("--seconds", arguments->seconds, "simulated time of each cell [s] (default 10); 0: all of it")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(number_between(0.0, 1e6));
   command
       ->add_option("--out", arguments->out, "run directory, by this program, that keeps the figures: `table --timing`")
       ->check(CLI::ExistingDirectory);

@@ -8,9 +8,16 @@
 #include "bench/commands.h"
 #include "bench/shell_words.h"
 #include "results/store.h"
+#include "robot/text_input.h"
 #include "scenarios/input_error.h"
 
 namespace {
+
+// What messages repeat of the command line or of a file is not to reach the terminal as it is.
+void print_error(const std::exception& error) {
+  constexpr std::size_t kLongest = 4000;  // [bytes]
+  fmt::print(stderr, "dobbench: {}\n", dob::printable_line(error.what(), kLongest));
+}
 
 std::string command_line(int argc, char** argv) {
   return dob::join_words({argv, argv + argc});
@@ -40,7 +47,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& help_or_version) {
     return app.exit(help_or_version);
   } catch (const CLI::ParseError& error) {
-    fmt::print(stderr, "dobbench: {}\n", error.what());
+    print_error(error);
     return dob::kExitBadInput;
   }
   return commands.at(app.get_subcommands().front()->get_name())();
@@ -52,7 +59,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "dobbench: {}\n", error.what());
+    print_error(error);
     return dob::kExitBadInput;
   }
 }

@@ -42,12 +42,18 @@ struct ObserversOf {
   }
 };
 
+// Enough for any list of claims; what goes beyond is an accident, or worse.
+constexpr std::size_t kMostClaims = 1000;
+constexpr std::size_t kMostContrasts = 100;
+constexpr std::size_t kMostExpanded = 64 << 20;  // [bytes] of all claims that a key `each` stands for
+
 std::vector<Contrast> read_contrasts(Reader& reader) {
   std::vector<Contrast> contrasts;
   reader.each("contrast", [&](Reader& r) {
     contrasts.push_back({text_or(r, "observer", ""), text_or(r, "profile", ""), text_or(r, "gains", ""),
                          text_or(r, "planner", ""), text_or(r, "overrides", "")});
   });
+  if (contrasts.size() > kMostContrasts) reader.refuse("contrast", fmt::format("at most {} tables", kMostContrasts));
   return contrasts;
 }
 
@@ -66,7 +72,8 @@ Claim read_claim(Reader& reader, const ClaimSet& set, const std::vector<Contrast
   claim.observers = std::visit(ObserversOf{}, claim.test);
   claim.contrasts = reader.has("contrast") ? read_contrasts(reader) : contrasts;
   const auto same = [&](const Claim& other) { return other.id == claim.id; };
-  if (std::any_of(set.claims.begin(), set.claims.end(), same)) reader.refuse("id", "an id that no other claim has");
+  if (claim.id.empty() || std::any_of(set.claims.begin(), set.claims.end(), same))
+    reader.refuse("id", "an id that no other claim has");
   return claim;
 }
 
@@ -77,38 +84,50 @@ std::string replaced(std::string text, const std::string& by) {
   return text;
 }
 
-void replace_all(Node& node, const std::string& by) {
-  if (auto* text = std::get_if<std::string>(&node.value)) *text = replaced(*text, by);
+// `room` [bytes] is what the nodes may still take.
+void replace_all(Node& node, const std::string& by, std::size_t& room) {
+  auto* text = std::get_if<std::string>(&node.value);
+  if (text != nullptr) *text = replaced(*text, by);
+  const std::size_t size = sizeof(Node) + (text == nullptr ? 0 : text->size());
+  if (size > room)
+    throw InputError(node.place, "each", fmt::format("its claims take more than {} bytes in all", kMostExpanded));
+  room -= size;
   if (auto* array = std::get_if<Array>(&node.value)) {
-    for (Node& element : *array) replace_all(element, by);
+    for (Node& element : *array) replace_all(element, by, room);
   }
   if (auto* table = std::get_if<Table>(&node.value)) {
-    for (Entry& e : *table) replace_all(e.node, by);
+    for (Entry& e : *table) replace_all(e.node, by, room);
   }
 }
 
 // A claim with the key `each` stands for one claim per text in that list, $ replaced by it.
+void add_claims(const Node& claim, std::size_t& room, Array& all) {
+  const Node* each = claim.find("each");
+  if (each == nullptr) {
+    all.push_back(claim);
+    return;
+  }
+  std::vector<std::string> values;
+  Node only_each{Table{{"each", *each}}, claim.place};
+  Reader::read(only_each, "claim", [&](Reader& reader) { values = reader.texts("each"); });
+  Node pattern = claim;
+  erase(pattern, "each");
+  for (const std::string& value : values) {
+    all.push_back(pattern);
+    replace_all(all.back(), value, room);
+  }
+}
+
 Node expanded(const Node& document) {
   Node out = document;
   Node* list = out.find("claim");
   auto* claims = list == nullptr ? nullptr : std::get_if<Array>(&list->value);
   if (claims == nullptr) return out;
   Array all;
+  std::size_t room = kMostExpanded;
   for (const Node& claim : *claims) {
-    const Node* each = claim.find("each");
-    if (each == nullptr) {
-      all.push_back(claim);
-      continue;
-    }
-    std::vector<std::string> values;
-    Node only_each{Table{{"each", *each}}, claim.place};
-    Reader::read(only_each, "claim", [&](Reader& reader) { values = reader.texts("each"); });
-    for (const std::string& value : values) {
-      Node copy = claim;
-      erase(copy, "each");
-      replace_all(copy, value);
-      all.push_back(std::move(copy));
-    }
+    add_claims(claim, room, all);
+    if (all.size() > kMostClaims) throw InputError(claim.place, "claim", fmt::format("more than {}", kMostClaims));
   }
   *claims = std::move(all);
   return out;

@@ -9,11 +9,14 @@
 
 #include <fmt/format.h>
 
+#include "robot/text_input.h"
 #include "robot/urdf_reader.h"
 #include "robot/urdf_values.h"
 
 namespace dob {
 namespace {
+
+constexpr std::size_t kLongestError = 2000;  // [bytes] of a message, which repeats names of the file
 
 // A moving link with everything fixed to it, in the moving link's own axes, and the joints that go on from
 // there.
@@ -250,7 +253,7 @@ RobotDescription load_robot(const std::filesystem::path& urdf, Forward forward) 
   try {
     return build(*read_urdf(urdf), forward);
   } catch (const DescriptionError& error) {
-    throw DescriptionError(fmt::format("{}: {}", urdf.string(), error.what()));
+    throw DescriptionError(printable_line(fmt::format("{}: {}", urdf.string(), error.what()), kLongestError));
   }
 }
 

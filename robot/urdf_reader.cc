@@ -1,10 +1,7 @@
 #include "robot/urdf_reader.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <console_bridge/console.h>
-#include <cstring>
-#include <fstream>
 #include <initializer_list>
 #include <map>
 #include <mutex>
@@ -16,35 +13,23 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include "robot/description.h"
+#include "robot/text_input.h"
+#include "robot/urdf_ranges.h"
 
 namespace dob {
 namespace {
 
 // Bounds on what may reach the XML library, which recurses once per level of nesting. A URDF has some 10 kB
 // and 200 elements.
-constexpr std::streamsize kMaxBytes = 4 << 20;
+constexpr std::size_t kMaxBytes = 4 << 20;
 constexpr std::ptrdiff_t kMaxElements = 5000;
 
 std::string read_text(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) {
-    throw DescriptionError("is a directory; a URDF file is expected");
+  try {
+    return read_text_file(file, kMaxBytes);
+  } catch (const TextFileError& error) {
+    throw DescriptionError(fmt::format("{}; a URDF file is expected", error.what()));
   }
-  errno = 0;
-  std::ifstream in(file, std::ios::binary);
-  if (!in) {
-    throw DescriptionError(fmt::format("cannot be opened: {}", std::strerror(errno)));
-  }
-  std::string text(static_cast<std::size_t>(kMaxBytes), '\0');
-  in.read(text.data(), kMaxBytes);
-  if (in.bad()) {
-    throw DescriptionError("cannot be read to its end");
-  }
-  if (in.gcount() == kMaxBytes) {
-    throw DescriptionError(fmt::format("is larger than {} bytes; a URDF file is expected", kMaxBytes - 1));
-  }
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return text;
 }
 
 void check_text(std::string_view text) {
@@ -144,6 +129,7 @@ std::string extract_mechanics(const std::string& text) {
        link = link->NextSiblingElement("link")) {
     keep_only(*link, {"inertial", "collision"});
   }
+  check_ranges(*robot);
   TiXmlPrinter printer;
   robot->Accept(&printer);
   return printer.Str();

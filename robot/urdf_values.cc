@@ -1,7 +1,6 @@
 #include "robot/urdf_values.h"
 
 #include <array>
-#include <cmath>
 #include <string>
 #include <string_view>
 
@@ -11,35 +10,21 @@
 namespace dob {
 namespace {
 
-constexpr double kLargestNumber = 1e6;  // SI units
 constexpr double kShortestAxis = 1e-6;  // below, the direction of a joint axis is rounding
 constexpr double kRounding = 1e-9;      // relative; eigenvalues of a flat body's inertia
 
+// Every number is within its range of urdf_ranges.h; here is what several of them have to be together.
+
+Vec3 vector_of(const urdf::Vector3& v) {
+  return {v.x, v.y, v.z};
+}
+
 // `where` is "link 'name'" or "joint 'name'".
-double checked(const std::string& where, std::string_view what, double value) {
-  if (!(std::abs(value) <= kLargestNumber)) {
-    throw DescriptionError(
-        fmt::format("{}: {} is {}; at most {} in magnitude is allowed", where, what, value, kLargestNumber));
-  }
-  return value;
-}
-
-double checked_positive(const std::string& where, std::string_view what, double value) {
-  if (!(value > 0.0)) {
-    throw DescriptionError(fmt::format("{}: {} is {}; a positive number is needed", where, what, value));
-  }
-  return checked(where, what, value);
-}
-
-Vec3 vector_of(const std::string& where, std::string_view what, const urdf::Vector3& v) {
-  return {checked(where, what, v.x), checked(where, what, v.y), checked(where, what, v.z)};
-}
-
 Eigen::Isometry3d pose_of(const std::string& where, const urdf::Pose& pose) {
   const urdf::Rotation& r = pose.rotation;
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
   result.linear() = Eigen::Quaterniond(r.w, r.x, r.y, r.z).toRotationMatrix();
-  result.translation() = vector_of(where, "origin [m]", pose.position);
+  result.translation() = vector_of(pose.position);
   if (!result.linear().allFinite()) {
     throw DescriptionError(fmt::format("{}: the rpy of its origin is not a rotation", where));
   }
@@ -80,13 +65,12 @@ LinkInertia inertia_of(const urdf::Link& link) {
   if (in.mass == 0.0 && inertia.isZero(0.0)) {
     return {};
   }
-  for (const double value : inertia.reshaped()) {
-    checked(where, "inertia [kg m^2]", value);
+  if (in.mass == 0.0) {
+    throw DescriptionError(fmt::format("{}: mass is 0 kg beside an inertia; a positive number is needed", where));
   }
-  const double mass = checked_positive(where, "mass [kg]", in.mass);
   check_inertia(where, inertia);
   const Eigen::Isometry3d pose = pose_of(where, in.origin);
-  return {mass, pose.translation(), pose.linear() * inertia * pose.linear().transpose()};
+  return {in.mass, pose.translation(), pose.linear() * inertia * pose.linear().transpose()};
 }
 
 std::vector<CollisionShape> shapes_of(const urdf::Link& link) {
@@ -96,16 +80,13 @@ std::vector<CollisionShape> shapes_of(const urdf::Link& link) {
     CollisionShape shape;
     if (const auto* box = dynamic_cast<const urdf::Box*>(collision->geometry.get())) {
       shape.kind = CollisionShape::Kind::kBox;
-      shape.size = {checked_positive(where, "collision box x size [m]", box->dim.x),
-                    checked_positive(where, "collision box y size [m]", box->dim.y),
-                    checked_positive(where, "collision box z size [m]", box->dim.z)};
+      shape.size = vector_of(box->dim);
     } else if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(collision->geometry.get())) {
       shape.kind = CollisionShape::Kind::kCylinder;
-      shape.size = {checked_positive(where, "collision cylinder radius [m]", cylinder->radius),
-                    checked_positive(where, "collision cylinder length [m]", cylinder->length), 0.0};
+      shape.size = {cylinder->radius, cylinder->length, 0.0};
     } else if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(collision->geometry.get())) {
       shape.kind = CollisionShape::Kind::kSphere;
-      shape.size = {checked_positive(where, "collision sphere radius [m]", sphere->radius), 0.0, 0.0};
+      shape.size = {sphere->radius, 0.0, 0.0};
     } else {
       continue;  // a mesh
     }
@@ -129,7 +110,7 @@ JointDescription revolute_joint_of(const urdf::Joint& joint) {
     throw DescriptionError(fmt::format("{}: mimics joint '{}'; every joint of a leg needs a motor of its own", where,
                                        joint.mimic->joint_name));
   }
-  const Vec3 axis = vector_of(where, "axis", joint.axis);
+  const Vec3 axis = vector_of(joint.axis);
   if (axis.norm() < kShortestAxis) {
     throw DescriptionError(
         fmt::format("{}: axis is ({}, {}, {}); a direction is needed", where, axis.x(), axis.y(), axis.z()));
@@ -137,14 +118,14 @@ JointDescription revolute_joint_of(const urdf::Joint& joint) {
   JointDescription result;
   result.name = joint.name;
   result.axis = axis.normalized();
-  result.lower = checked(where, "lower limit [rad]", joint.limits->lower);
-  result.upper = checked(where, "upper limit [rad]", joint.limits->upper);
+  result.lower = joint.limits->lower;
+  result.upper = joint.limits->upper;
   if (!(result.lower < result.upper)) {
     throw DescriptionError(fmt::format("{}: lower limit is {} rad; less than the upper one, {} rad, is needed", where,
                                        result.lower, result.upper));
   }
-  result.effort_limit = checked_positive(where, "effort limit [N m]", joint.limits->effort);
-  result.velocity_limit = checked_positive(where, "velocity limit [rad/s]", joint.limits->velocity);
+  result.effort_limit = joint.limits->effort;
+  result.velocity_limit = joint.limits->velocity;
   return result;
 }
 

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
+
+#include "robot/text_input.h"
+#include "scenarios/document_limits.h"
 
 namespace dob {
 namespace {
@@ -20,9 +21,16 @@ Place place_of(const std::string& source, const toml::source_region& region) {
 
 Node convert(const toml::node& from, const Place& place);
 
+// Throws when there are more than `most` of `what`.
+void require_at_most(std::size_t most, std::size_t count, const char* what, const Place& place) {
+  if (count > most) throw InputError(place, "", fmt::format("{} {}; at most {} are allowed", count, what, most));
+}
+
 Node convert(const toml::table& from, const Place& place) {
+  require_at_most(kMostEntries, from.size(), "keys in one table", place);
   Table table;
   for (const auto& [key, value] : from) {
+    require_at_most(kLongestKey, key.str().size(), "bytes in one key", place_of(place.source, key.source()));
     table.push_back({std::string(key.str()), convert(value, place_of(place.source, key.source()))});
   }
   const auto position = [](const Entry& e) { return std::tuple(e.node.place.line, e.node.place.column); };
@@ -32,6 +40,7 @@ Node convert(const toml::table& from, const Place& place) {
 }
 
 Node convert(const toml::array& from, const Place& place) {
+  require_at_most(kMostElements, from.size(), "elements in one list", place);
   Array array;
   for (const toml::node& value : from) array.push_back(convert(value, place_of(place.source, value.source())));
   return {std::move(array), place};
@@ -41,7 +50,10 @@ Node convert(const toml::node& from, const Place& place) {
   if (const auto* table = from.as_table()) return convert(*table, place);
   if (const auto* array = from.as_array()) return convert(*array, place);
   if (const auto* flag = from.as_boolean()) return {flag->get(), place};
-  if (const auto* text = from.as_string()) return {text->get(), place};
+  if (const auto* text = from.as_string()) {
+    require_at_most(kLongestText, text->get().size(), "bytes in one text", place);
+    return {text->get(), place};
+  }
   if (const auto* number = from.as_floating_point()) return {number->get(), place};
   if (const auto* number = from.as_integer()) return {static_cast<double>(number->get()), place};
   throw InputError(place, "", "a date or a time; allowed: true, false, numbers, strings, arrays, tables");
@@ -105,11 +117,6 @@ void merge_at(Node& base, const Node& overlay, const std::string& path) {
 
 }  // namespace
 
-InputError::InputError(const Place& place, const std::string& key, const std::string& message)
-    : std::runtime_error(place.line == 0 ? fmt::format("{}{}{}: {}", place.source, key.empty() ? "" : " ", key, message)
-                                         : fmt::format("{}:{}:{}: {}{}{}", place.source, place.line, place.column, key,
-                                                       key.empty() ? "" : ": ", message)) {}
-
 const Node* Node::find(std::string_view key) const {
   const auto* table = std::get_if<Table>(&value);
   if (table == nullptr) return nullptr;
@@ -123,16 +130,16 @@ Node* Node::find(std::string_view key) {
 
 Node parse_file(const std::filesystem::path& file) {
   const std::string source = file.string();
-  std::ifstream stream(file, std::ios::binary);
-  std::error_code ignored;
-  if (!stream || !std::filesystem::is_regular_file(file, ignored))
-    throw InputError({source}, "", "cannot be read; a TOML file is needed");
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  return parse_text(text, source);
+  try {
+    return parse_text(read_text_file(file, kMostBytes), source);
+  } catch (const TextFileError& error) {
+    throw InputError({source}, "", fmt::format("{}; a TOML file is needed", error.what()));
+  }
 }
 
 Node parse_text(std::string_view text, const std::string& source) {
   try {
+    check_nesting(text, source);
     return convert(toml::parse(text, std::string_view(source)), {source, 1, 1});
   } catch (const toml::parse_error& error) {
     throw InputError(place_of(source, error.source()), "", std::string(error.description()));
@@ -145,6 +152,15 @@ bool is_bare_key(std::string_view text) {
 }
 
 Node parse_value(const std::string& key, const std::string& text, const Place& place) {
+  const auto refuse = [&](std::string_view why) {
+    constexpr std::size_t kShown = 200;  // [bytes]
+    throw InputError(place, key, fmt::format("{}; {}; allowed: a TOML value", printable_line(text, kShown), why));
+  };
+  try {
+    check_nesting(text, place.source);
+  } catch (const InputError&) {
+    refuse(fmt::format("nested deeper than {} levels or a key of more than {} parts", kDeepestNesting, kMostKeyParts));
+  }
   try {
     const toml::table table = toml::parse("value = " + text);
     if (table.size() == 1) {
@@ -154,7 +170,7 @@ Node parse_value(const std::string& key, const std::string& text, const Place& p
     }
   } catch (const toml::parse_error& error) {
     if (is_bare_key(text) && is_letter(text.front())) return {text, place};
-    throw InputError(place, key, fmt::format("{}; {}; allowed: a TOML value", text, error.description()));
+    refuse(error.description());
   }
   throw InputError(place, key, "more than one value; allowed: one TOML value");
 }
@@ -180,12 +196,12 @@ void merge(Node& base, const Node& overlay) {
 }
 
 void set(Node& document, const std::string& path, const Node& value) {
+  check_path(path, value.place);
   Node* node = &document;
   std::string_view rest = path;
   while (true) {
     const std::size_t dot = rest.find('.');
     const std::string_view key = rest.substr(0, dot);
-    if (key.empty()) throw InputError(value.place, path, "a part of the key is empty");
     node = &child(*node, key, path, value.place);
     if (dot == std::string_view::npos) break;
     rest.remove_prefix(dot + 1);

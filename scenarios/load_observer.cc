@@ -138,6 +138,22 @@ ObserverInfo find_observer_or_pair(std::string_view name, const Place& place) {
   return {.name = name, .estimates_legs = true, .estimates_com = true};
 }
 
+// The option of the table that an OptionError is about, by what it says: an error of a plugin is nothing but its text.
+// nullptr: none of them.
+const Node* named_by(const std::string& error, const Node& table, const std::string& path = "") {
+  const auto says = [&error](const std::string& text) { return error.find(text) != std::string::npos; };
+  for (const Entry& e : std::get<Table>(table.value)) {
+    if (std::holds_alternative<Table>(e.node.value)) {
+      const bool other_part = says(", part ") && !says(fmt::format(", part {}: ", e.key));
+      const Node* found = other_part ? nullptr : named_by(error, e.node, fmt::format("{}{}.", path, e.key));
+      if (found != nullptr) return found;
+    } else if (says(fmt::format(": option {} = ", e.key)) || says(fmt::format(": option {}{} = ", path, e.key))) {
+      return &e.node;
+    }
+  }
+  return nullptr;
+}
+
 // With what the profile says, under the name it has in the tables.
 ObserverConfig configure(std::string_view specification, const Node& document, const std::string& profile, double dt,
                          const Place& place) {
@@ -169,7 +185,8 @@ ObserverConfig configure(std::string_view specification, const Node& document, c
   try {
     make_observer(config.observer, config.options, dt);
   } catch (const OptionError& error) {
-    throw InputError(table.place, "", error.what());
+    const Node* option = named_by(error.what(), table);
+    throw InputError(option != nullptr ? option->place : overrides.empty() ? table.place : place, "", error.what());
   }
   return config;
 }

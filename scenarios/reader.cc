@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "robot/text_input.h"
+
 namespace dob {
 namespace {
 
@@ -34,6 +36,13 @@ std::optional<Vec3> vector_in(const Node& node, Range range) {
     vector[i] = *number;
   }
   return vector;
+}
+
+constexpr const char* kMissing = "missing; the key is needed here";
+constexpr const char* kPlainWords = "one line of printable text";
+
+bool is_plain(const std::string& text) {
+  return printable_line(text, 4 * text.size() + 16) == text;
 }
 
 // Levenshtein's distance: the fewest characters to insert, delete or change.
@@ -95,8 +104,9 @@ const Place& Reader::place(std::string_view key) const {
 }
 
 void Reader::refuse(std::string_view key, const std::string& allowed) const {
-  const Node& node = *table_.find(key);
-  throw InputError(node.place, join(key), fmt::format("{}; allowed: {}", describe(node), allowed));
+  const Node* node = table_.find(key);
+  if (node == nullptr) throw InputError(table_.place, join(key), kMissing);
+  throw InputError(node->place, join(key), fmt::format("{}; allowed: {}", describe(*node), allowed));
 }
 
 void Reader::finish() const {
@@ -104,7 +114,7 @@ void Reader::finish() const {
     if (std::find(known_.begin(), known_.end(), e.key) != known_.end()) continue;
     throw InputError(e.node.place, join(e.key), fmt::format("unknown key '{}'; {}", e.key, suggestion(e.key, known_)));
   }
-  if (!missing_.empty()) throw InputError(table_.place, join(missing_), "missing; the key is needed here");
+  if (!missing_.empty()) throw InputError(table_.place, join(missing_), kMissing);
 }
 
 double Reader::number(std::string_view key, Range range, std::optional<double> fallback) {
@@ -168,18 +178,22 @@ bool Reader::flag(std::string_view key, std::optional<bool> fallback) {
 std::string Reader::text(std::string_view key) {
   const Node* node = find(key);
   if (node == nullptr) return {};
-  if (const auto* text = std::get_if<std::string>(&node->value)) return *text;
-  refuse(key, "text in quotes");
+  const auto* text = std::get_if<std::string>(&node->value);
+  if (text == nullptr) refuse(key, "text in quotes");
+  if (!is_plain(*text)) refuse(key, kPlainWords);
+  return *text;
 }
 
 std::vector<std::string> Reader::texts(std::string_view key) {
   const Node* node = find(key);
   if (node == nullptr) return {};
-  if (const auto* text = std::get_if<std::string>(&node->value)) return {*text};
+  if (std::holds_alternative<std::string>(node->value)) return {text(key)};
   std::vector<std::string> texts;
   if (const auto* array = std::get_if<Array>(&node->value)) {
     for (const Node& element : *array) {
-      if (const auto* text = std::get_if<std::string>(&element.value)) texts.push_back(*text);
+      const auto* text = std::get_if<std::string>(&element.value);
+      if (text != nullptr && !is_plain(*text)) refuse(key, fmt::format("a list of texts, each {}", kPlainWords));
+      if (text != nullptr) texts.push_back(*text);
     }
     if (!texts.empty() && texts.size() == array->size()) return texts;
   }

@@ -34,6 +34,18 @@ struct Reference {
   std::vector<std::filesystem::path> via = {};  // files that are being read
 };
 
+// Names are also those of files.
+constexpr std::size_t kLongestName = 100;  // [bytes]
+constexpr const char* kNameIs = "letters, digits, _ and -, at most 100 of them";
+
+bool is_name(std::string_view text) {
+  return is_bare_key(text) && text.size() <= kLongestName;
+}
+
+// A few files of a few lines are not to stand for thousands of others.
+constexpr std::size_t kMostBases = 4;    // of one file
+constexpr std::size_t kDeepestBase = 6;  // files below one
+
 struct Located {
   std::string name;
   std::filesystem::path path;
@@ -76,6 +88,9 @@ void enter(Reference& reference, const std::filesystem::path& path) {
   if (std::find(reference.via.begin(), reference.via.end(), file) != reference.via.end()) {
     throw InputError(reference.place, reference.key, fmt::format("'{}' leads back to itself", reference.text));
   }
+  if (reference.via.size() > kDeepestBase) {
+    throw InputError(reference.place, reference.key, fmt::format("more than {} files upon one another", kDeepestBase));
+  }
   reference.via.push_back(file);
 }
 
@@ -87,7 +102,7 @@ void take_variants(ScenarioSource& source) {
   if (source.variants.empty()) throw InputError(node->place, kVariants, "empty; allowed: tables [variant.NAME]");
   for (const Entry& e : source.variants) {
     const std::string key = fmt::format("{}.{}", kVariants, e.key);
-    if (!is_bare_key(e.key)) throw InputError(e.node.place, key, "allowed in a name: letters, digits, _ and -");
+    if (!is_name(e.key)) throw InputError(e.node.place, key, fmt::format("allowed in a name: {}", kNameIs));
     table_of(e.node, key);
   }
   erase(source.document, kVariants);
@@ -99,7 +114,7 @@ void take_name(ScenarioSource& source) {
   const auto* text = std::get_if<std::string>(&node->value);
   const auto [name, variant] = split(text == nullptr ? "" : *text);
   const bool both = variant && !source.variants.empty();
-  if (!is_bare_key(name) || (variant && !is_bare_key(*variant)) || both) {
+  if (!is_name(name) || (variant && !is_name(*variant)) || both) {
     throw InputError(node->place, kNameKey,
                      describe(*node) + "; allowed: \"NAME\", or \"NAME/VARIANT\" in a file without variants");
   }
@@ -163,6 +178,8 @@ void take_base(ScenarioSource& source, const std::vector<std::filesystem::path>&
   if (node == nullptr) return;
   const auto* list = std::get_if<Array>(&node->value);
   if (list != nullptr && list->empty()) throw InputError(node->place, kBase, "empty; allowed: names or files");
+  if (list != nullptr && list->size() > kMostBases)
+    throw InputError(node->place, kBase, fmt::format("{} of them; at most {} are allowed", list->size(), kMostBases));
   const Array bases = list != nullptr ? *list : Array{*node};
   erase(source.document, kBase);
   Node below = base_of(source, bases.front(), via);
@@ -201,11 +218,10 @@ ScenarioSource read(Reference reference) {
   source.info.name = source.name;
   take_base(source, reference.via);
   source.info.summary = summary_of(source.document);
-  if (!is_bare_key(source.name)) {
+  if (!is_name(source.name)) {
     throw InputError(
         {source.path.string()}, "",
-        fmt::format("'{}' is no name; allowed: letters, digits, _ and -, in the file's name or as name = \"NAME\"",
-                    source.name));
+        fmt::format("'{}' is no name; allowed: {}, in the file's name or as name = \"NAME\"", source.name, kNameIs));
   }
   return source;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -16,6 +17,7 @@ namespace {
 
 // Ranges that several keys share: wide enough for any legged robot, narrow enough for a wrong unit to fall out.
 constexpr double kLongest = 1e5;                 // [s]
+constexpr double kMostTicks = 1e8;               // of a trial
 constexpr Range kDuration = above(0.0, 10.0);    // [s] of parts of a footstep
 constexpr Range kFriction = between(0.0, 10.0);  // [-]
 constexpr Range kSoftness = between(0.0, 1.0);   // [-] or [1/kg]
@@ -71,7 +73,14 @@ RobotDescription read_robot(Reader& r, RobotConfig& config) {
   return robot;
 }
 
-std::vector<PathSegment> read_path(Reader& r) {
+double length_of(const std::vector<PathSegment>& path) {
+  double length = 0.0;  // [s]
+  for (const PathSegment& segment : path) length += segment.duration;
+  return length;
+}
+
+// `longest` [s] is also that of all segments together.
+std::vector<PathSegment> read_path(Reader& r, double longest) {
   std::vector<PathSegment> path;
   r.each("path", [&](Reader& t) {
     path.push_back({.duration = t.number("duration_s", above(0.0, kLongest)),
@@ -79,6 +88,8 @@ std::vector<PathSegment> read_path(Reader& r) {
                     .yaw_rate = t.number("yaw_rate_rad_s", between(-10.0, 10.0), 0.0)});
   });
   if (path.empty() && r.has("path")) r.refuse("path", "at least one [[path]] segment");
+  if (const double length = length_of(path); length > longest)
+    r.refuse("path", fmt::format("segments of at most {} s in all, these are {}", longest, length));
   return path;
 }
 
@@ -155,10 +166,11 @@ double smallest_effort(const RobotDescription& robot) {
 WbcOptions read_controller(Reader& r, const RobotDescription& robot) {
   WbcOptions wbc;
   wbc.joint_limits = joint_limits(robot);
+  const double weakest = smallest_effort(robot);  // [N m]
   r.table("controller", [&](Reader& t) {
     wbc.friction = t.number("friction", above(0.0, 10.0));
     wbc.min_normal_force = t.number("min_normal_force_N", between(0.0, 1e4));
-    wbc.torque_limit = t.number("torque_limit_Nm", above(0.0, 1e4), smallest_effort(robot));
+    wbc.torque_limit = t.number("torque_limit_Nm", above(0.0, weakest), weakest);
     wbc.wrench_weight = t.number("wrench_weight", kWeight);
     wbc.regularization = t.number("regularization", kWeight);
     wbc.slack_weight = t.number("slack_weight", kWeight);
@@ -223,15 +235,14 @@ Scenario read_scenario(const Node& document) {
   Reader::read(document, "", [&](Reader& r) {
     s.summary = r.text("summary");
     const RobotDescription robot = read_robot(r, s.robot);
-    s.path = read_path(r);
-    double length = 0.0;  // [s]
-    for (const PathSegment& segment : s.path) length += segment.duration;
-    s.duration = r.number("duration_s", above(0.0, kLongest), length);
+    s.sim = read_sim(r);
+    const double longest = std::min(kLongest, std::round(kMostTicks * s.sim.dt));  // [s]
+    s.path = read_path(r, longest);
+    s.duration = r.number("duration_s", above(0.0, longest), length_of(s.path));
     s.gait = read_gait(r);
     s.planner = read_planner(r);
     s.controller = read_controller(r, robot);
     r.table("compensation", [&](Reader& t) { s.swing_compensation = t.flag("swing"); });
-    s.sim = read_sim(r);
     read_terrain(r, s);
     r.each("disturbance", [&](Reader& t) { read_disturbance(t, robot, s); });
     read_trial(r, s);

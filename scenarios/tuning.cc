@@ -11,7 +11,9 @@ namespace dob {
 namespace {
 
 constexpr const char* kProcedure = "procedure";
-constexpr const char* kAllowed = "; allowed: [low, high] with 0 < low < high, or a list of texts, or of true and false";
+constexpr double kLargest = 1e12;
+constexpr const char* kAllowed =
+    "; allowed: [low, high] with 0 < low < high <= 1e12, or a list of texts, or of true and false";
 
 std::vector<std::string> words_of(const Array& array) {
   std::vector<std::string> words;
@@ -30,7 +32,8 @@ TuningParameter parameter(const Entry& e, const std::string& path) {
     if (array->size() == 2) {
       const auto* low = std::get_if<double>(&(*array)[0].value);
       const auto* high = std::get_if<double>(&(*array)[1].value);
-      if (low != nullptr && high != nullptr && 0.0 < *low && *low < *high) return {e.key, TuningRange{*low, *high}};
+      if (low != nullptr && high != nullptr && 0.0 < *low && *low < *high && *high <= kLargest)
+        return {e.key, TuningRange{*low, *high}};
     }
   }
   throw InputError(e.node.place, fmt::format("{}.{}", path, e.key), describe(e.node) + kAllowed);

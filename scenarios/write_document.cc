@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "robot/text_input.h"
 #include "scenarios/document.h"
 
 namespace dob {
@@ -40,9 +41,9 @@ std::string key_text(const std::string& key) {
 
 struct ValueWriter {
   std::string operator()(bool flag) const { return flag ? "true" : "false"; }
-  // The shortest exact form. A `-0` without a point would be an integer, which has no sign of zero.
   std::string operator()(double number) const {
-    return number == 0.0 && std::signbit(number) ? "-0.0" : fmt::format("{}", number);
+    if (number == 0.0 && std::signbit(number)) return "-0.0";  // -0 would be the whole number 0
+    return fmt::format("{}", number);                          // shortest exact form
   }
   std::string operator()(const std::string& text) const { return in_quotes(text); }
   std::string operator()(const Array& array) const {
@@ -90,7 +91,8 @@ std::string to_toml(const Node& document) {
 std::string describe(const Node& node) {
   if (is_table(node)) return "a table";
   if (is_array_of_tables(node)) return "an array of tables";
-  return std::visit(ValueWriter{}, node.value);
+  constexpr std::size_t kShown = 200;  // [bytes]
+  return printable_line(std::visit(ValueWriter{}, node.value), kShown);
 }
 
 }  // namespace dob

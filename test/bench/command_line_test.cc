@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -44,7 +45,26 @@ TEST_F(CommandLine, BadInputIsRefusedWithItsPlaceAndNothingIsWritten) {
   expect_refused("run undisturbed --log-rate 10", {"--log-rate", "--log csv"});
   expect_refused("run undisturbed --jobs 0", {"--jobs"});
   expect_refused("run --nonsense", {"nonsense"});
+  expect_refused("run \"--$(printf 'a\\033[31m\\nb')\"", {"--a\\x1b[31m\\x0ab"});
   expect_refused("table nowhere", {"nowhere"});
+}
+
+TEST_F(CommandLine, NumbersOutsideOfTheirRangeAreRefused) {
+  const std::vector<std::pair<std::string, std::vector<std::string>>> options{
+      {"run undisturbed --seeds ",
+       {"0", "-1", "1.5", "nan", "inf", "1e9", "1..1e9", "1..1000001", "99999999999999999999"}},
+      {"run undisturbed --jobs ", {"0", "-1", "1025", "1.5", "nan", "inf", "99999999999999999999"}},
+      {"run undisturbed --timeout ", {"-1", "nan", "-nan", "inf", "1e400", "1e10", "fast"}},
+      {"run undisturbed --log csv --log-rate ", {"0", "nan", "inf", "1e7"}},
+      {"analyse momentum --tick ", {"0", "-0.001", "nan", "inf", "1.1"}},
+      {"timing undisturbed --seconds ", {"-1", "nan", "inf", "1e7"}},
+      {"report . --max-size ", {"-1", "nan", "inf", "10001"}},
+      {"tune momentum --out tuned --budget ", {"0", "nan", "inf", "100001"}},
+  };
+  for (const auto& [option, numbers] : options) {
+    const std::string name = option.substr(option.rfind("--"), option.size() - 1 - option.rfind("--"));
+    for (const std::string& number : numbers) expect_refused(option + number, {name, number});
+  }
 }
 
 TEST_F(CommandLine, APluginThatCannotBeUsedIsRefusedInOneLine) {
@@ -200,7 +220,7 @@ TEST_F(CommandLine, CheckSaysWhatEveryFileIsAndWhatIsWrong) {
   expect_refused("check robot.urdf", {"robot.urdf"});
   expect_refused("check tall.toml", {"tall", "cannot reach"});
   expect_refused("check notes.txt", {"notes.txt", ".urdf"});
-  expect_refused("check missing.toml", {"missing.toml", "cannot be read"});
+  expect_refused("check missing.toml", {"missing.toml", "cannot be opened: No such file"});
   std::ofstream(dir / "named.toml") << "name = \"other\"\nbase = \"undisturbed\"\n";
   EXPECT_NE(dobbench("check named.toml").out.find("scenario 'other'"), std::string::npos);
   // The others are still checked.

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -71,6 +72,30 @@ TEST_F(ClaimsTest, MistakesAreToldWithTheirPlace) {
   EXPECT_THAT(refusal(kHead + kBound + kBound), HasSubstr("claim.1.id"));
   EXPECT_THAT(refusal(kHead + with(kBound, "source", "sauce")), HasSubstr("unknown key 'sauce'"));
   EXPECT_THAT(refusal(with(kHead, "ours", "theirs") + kBound), HasSubstr("unknown key 'theirs'"));
+}
+
+TEST_F(ClaimsTest, AMissingIdIsOneWhateverTheOthersHave) {
+  const std::string unnamed = with(kBound, "id = \"one\"\n", "");
+  EXPECT_THAT(refusal(kHead + unnamed), HasSubstr("claims.toml:3:1: claim.0.id: missing"));
+  EXPECT_THAT(refusal(kHead + with(kBound, "\"one\"", "\"\"") + unnamed),
+              HasSubstr("claim.0.id: \"\"; allowed: an id"));
+}
+
+TEST_F(ClaimsTest, AFewLinesDoNotStandForMoreThanAnybodyWrites) {
+  std::string many = "\"0\"";
+  for (int i = 1; i < 1001; ++i) many += fmt::format(", \"{}\"", i);
+  EXPECT_THAT(refusal(kHead + with(kBound, "\"one\"", "\"$\"\neach = [" + many + "]")),
+              HasSubstr("claim: more than 1000"));
+  std::string dollars(900, '$');
+  std::string cells = "cells = [\"" + dollars + "\"";
+  for (int i = 0; i < 99; ++i) cells += ", \"" + dollars + "\"";
+  const std::string each = fmt::format("\"$\"\neach = [\"{}\"]", std::string(900, 'x'));
+  EXPECT_THAT(refusal(kHead + with(with(kBound, "\"one\"", each), "cells = [\"case1/*\"", cells)),
+              HasSubstr("each: its claims take more than"));
+  std::string contrasts;
+  for (int i = 0; i < 101; ++i) contrasts += "[[contrast]]\ngains = \"stiff\"\n";
+  EXPECT_THAT(refusal(kHead + contrasts + kBound),
+              HasSubstr("contrast: an array of tables; allowed: at most 100 tables"));
 }
 
 TEST_F(ClaimsTest, EachMakesAClaimOfEveryText) {

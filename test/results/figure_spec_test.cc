@@ -78,6 +78,11 @@ TEST_F(FiguresFile, IsReadOrRefusedWithItsPlace) {
   EXPECT_THAT(error_of(figure("f", "quantity = \"q\"") + figure("f", "quantity = \"q\"")), HasSubstr("no other"));
 }
 
+TEST_F(FiguresFile, WhatIsMissingIsCalledSo) {
+  EXPECT_THAT(error_of(figure("f", "leg = \"LF\"")), HasSubstr("figure.0.panel.0.quantity: missing"));
+  EXPECT_THAT(error_of("[[figure]]\ncaption = \"c\"\n"), HasSubstr("figure.0.id: missing"));
+}
+
 TEST_F(FiguresFile, AnIdCannotLeadOutOfTheDirectory) {
   EXPECT_THAT(error_of(figure("../f", "quantity = \"q\"")), HasSubstr("letters"));
 }

@@ -73,8 +73,8 @@ TEST(HostileFile, RandomDamageEndsInARobotOrADescriptionError) {
 
 TEST(ConcurrentLoads, KeepTheirMessagesApart) {
   const TemporaryUrdf good(dogbot_text(), "_good");
-  const std::array<TemporaryUrdf, 2> bad{TemporaryUrdf(replaced(dogbot_text(), "9.3", "first", "<robot"), "_first"),
-                                         TemporaryUrdf(replaced(dogbot_text(), "9.3", "second", "<robot"), "_second")};
+  const std::array<TemporaryUrdf, 2> bad{TemporaryUrdf(replaced(dogbot_text(), "revolute", "first"), "_first"),
+                                         TemporaryUrdf(replaced(dogbot_text(), "revolute", "second"), "_second")};
   constexpr std::size_t kThreads = 6;
   constexpr int kLoads = 50;
   std::array<int, kThreads> wrong{};

@@ -245,10 +245,11 @@ TEST(InputError, BrokenTomlHasLineAndColumn) {
 TEST(InputError, MissingFilesAndScenariosAreNamed) {
   const ScratchFiles files;
   const std::string missing = (files.directory() / "none.toml").string();
-  EXPECT_EQ(error_of({.name = missing}), missing + ": cannot be read; a TOML file is needed");
+  EXPECT_EQ(error_of({.name = missing}),
+            missing + ": cannot be opened: No such file or directory; a TOML file is needed");
   const std::string directory = (files.directory() / "folder.toml").string();
   std::filesystem::create_directory(directory);
-  EXPECT_EQ(error_of({.name = directory}), directory + ": cannot be read; a TOML file is needed");
+  EXPECT_EQ(error_of({.name = directory}), directory + ": is a directory; a TOML file is needed");
   std::string shipped;
   for (const ScenarioInfo& info : list_scenarios()) shipped += (shipped.empty() ? "" : ", ") + info.name;
   EXPECT_EQ(error_of({.name = "case9"}), "scenario: there is no 'case9'; there are: " + shipped);
@@ -263,7 +264,7 @@ TEST(InputError, VariantsAreNamed) {
   EXPECT_EQ(error_with("[variant]\n"), "mine.toml:5:2: variant: empty; allowed: tables [variant.NAME]");
   EXPECT_EQ(error_with("[variant]\na = 1\n"), "mine.toml:6:1: variant.a: 1; allowed: a table");
   EXPECT_EQ(error_with("[variant.\"a/b\"]\n"),
-            "mine.toml:5:10: variant.a/b: allowed in a name: letters, digits, _ and -");
+            "mine.toml:5:10: variant.a/b: allowed in a name: letters, digits, _ and -, at most 100 of them");
 }
 
 TEST(InputError, ANameIsAWordAndMayHoldAVariantOnlyWithoutVariants) {

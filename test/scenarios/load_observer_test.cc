@@ -378,7 +378,7 @@ TEST_F(OwnProfile, IsRefusedAtItsLine) {
             path_ + ":2:1: momentum.gains: [1, \"x\"]; allowed: true, false, a number, a text, a list of numbers");
   EXPECT_EQ(error_in("[momentum.legs]\n"),
             path_ + ":1:11: momentum.legs: a table; allowed: true, false, a number, a text, a list of numbers");
-  EXPECT_THAT(error_in("[momentum]\ngain = 1\n"), AllOf(StartsWith(path_ + ":1:2: "), HasSubstr("option gain")));
+  EXPECT_THAT(error_in("[momentum]\ngain = 1\n"), AllOf(StartsWith(path_ + ":2:1: "), HasSubstr("option gain")));
   EXPECT_EQ(error_in("[momentum.routing]\ntorque_36 = \"yes\"\n"),
             path_ + ":2:1: momentum.routing.torque_36: \"yes\"; allowed: true or false");
   EXPECT_THAT(error_in("[momentum\n"), StartsWith(path_ + ":1:10: "));
