@@ -16,6 +16,7 @@
 #include "observers/pair.h"
 #include "observers/plugin.h"
 #include "results/fingerprint.h"
+#include "results/plain_files.h"
 #include "scenarios/input_error.h"
 #include "scenarios/loader.h"
 
@@ -29,7 +30,7 @@ constexpr double kTraceRate = 100.0;  // [Hz]: 11 samples of a swing of 0.115 s,
 class Batch {
  public:
   Batch(const BatchPlan& plan, const BatchOptions& options) : plan_(plan), options_(options), store_(open_store()) {
-    if (options.log_csv) fs::create_directories(store_.dir() / "logs");
+    if (options.log_csv) make_plain_directory(store_.dir() / "logs");
     if (options.keep != Keep::kNone) make_trace_directory();
     choose_cells();
   }
@@ -41,12 +42,15 @@ class Batch {
     std::vector<CellKey> keys;
     for (const std::size_t cell : cells_) keys.push_back(plan_.cells[cell].key);
     const auto compute = [&](std::size_t i) { return run_with_files(cells_[i]); };
-    const auto done = [&](std::size_t i, const CellResult& result) {
+    const auto done = [&](std::size_t i, CellResult result) {
+      // Its own process is not asked where it wrote.
+      result.trace = result.outcome != Outcome::kError && keeps(cells_[i]) ? trace_file(cells_[i]) : "";
       store_.append(result);
       if (result.outcome == Outcome::kError) ++summary_.errors;
       progress.add(result, expected_cost(cells_[i]));
     };
-    summary_.stop_signal = run_cells(keys, {options_.jobs, options_.timeout_s}, compute, done);
+    const WorkerOptions limits{options_.jobs, options_.timeout_s, options_.memory_limit_MB};
+    summary_.stop_signal = run_cells(keys, limits, compute, done);
     return summary_;
   }
 
@@ -63,7 +67,7 @@ class Batch {
 
   // Without what processes that were killed have left there.
   void make_trace_directory() const {
-    fs::create_directories(store_.dir() / "traces");
+    make_plain_directory(store_.dir() / "traces");
     for (const fs::path& file : fs::directory_iterator(store_.dir() / "traces")) {
       if (file.extension() == ".part") fs::remove(file);
     }
@@ -96,6 +100,10 @@ class Batch {
     return options_.keep == Keep::kAll || (options_.keep == Keep::kFirstSeed && first_seed_[cell]);
   }
 
+  std::string trace_file(std::size_t cell) const {
+    return "traces/" + cell_file_name(cell, plan_.cells[cell].key) + ".dobtrace";
+  }
+
   // In the cell's own process.
   CellResult run_with_files(std::size_t index) const {
     const PlannedCell& cell = plan_.cells[index];
@@ -110,10 +118,7 @@ class Batch {
       if (trace) trace->add(tick);
     });
     if (log) log->close();
-    if (trace) {
-      result.trace = "traces/" + name + ".dobtrace";
-      write_trace(store_.dir() / result.trace, trace->trace());
-    }
+    if (trace) write_trace(store_.dir() / trace_file(index), trace->trace());
     return result;
   }
 

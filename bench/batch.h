@@ -9,16 +9,19 @@ namespace dob {
 
 enum class Keep { kNone, kFirstSeed, kAll };
 
+inline constexpr long kDefaultMemoryLimit_MB = 4000;  // a cell of 46 s needs about a hundredth of it
+
 struct BatchOptions {
   int jobs = 1;
-  double timeout_s = 0.0;     // [s] wall time for one cell; 0: none
-  std::filesystem::path out;  // run directory; empty: ./dobbench-results/NNNN
-  bool resume = false;        // goes on with the run in `out`, if there is one
-  bool retry_errors = false;  // with resume: cells that could not be run are run again
-  bool log_csv = false;       // time series of every cell as logs/CELL.csv
-  double log_rate = 1000.0;   // [Hz] of these
-  Keep keep = Keep::kNone;    // cells whose time series are kept as traces/CELL.dobtrace
-  bool progress = false;      // a progress line on stderr
+  double timeout_s = 0.0;                         // [s] wall time for one cell; 0: none
+  long memory_limit_MB = kDefaultMemoryLimit_MB;  // of addresses for one cell; 0: none
+  std::filesystem::path out;                      // run directory; empty: ./dobbench-results/NNNN
+  bool resume = false;                            // goes on with the run in `out`, if there is one
+  bool retry_errors = false;                      // with resume: cells that could not be run are run again
+  bool log_csv = false;                           // time series of every cell as logs/CELL.csv
+  double log_rate = 1000.0;                       // [Hz] of these
+  Keep keep = Keep::kNone;                        // cells whose time series are kept as traces/CELL.dobtrace
+  bool progress = false;                          // a progress line on stderr
   std::string command_line;
 };
 
@@ -29,7 +32,8 @@ struct BatchSummary {
 };
 
 // The results do not depend on jobs, nor on whether the batch was interrupted and resumed. Throws StoreError when the
-// run directory cannot be made or written, holds another run, or is being written by another process.
+// run directory cannot be made, holds another run, or is being written by another process; WriteError when it cannot be
+// written any more: what was finished by then is kept.
 BatchSummary run_batch(const BatchPlan& plan, const BatchOptions& options);
 
 // What the run directory says about this program, machine and plan.

@@ -1,11 +1,15 @@
 #include "bench/cell_runs.h"
 
+#include <algorithm>
 #include <string>
 
-#include "results/store.h"
+#include "results/whole_file.h"
 
 namespace dob {
 namespace {
+
+constexpr char kResult = '=';       // first byte of what a cell's process sends home: a line of a cell follows,
+constexpr char kCannotWrite = '!';  // or why its files cannot be written
 
 CellResult error_row(const CellKey& key, const std::string& reason) {
   CellResult result;
@@ -18,8 +22,10 @@ CellResult error_row(const CellKey& key, const std::string& reason) {
 // What has come from a cell's process is looked at before it is believed.
 CellResult result_from(const CellKey& key, const TaskOutcome& outcome) {
   if (!outcome.ok) return error_row(key, outcome.reason);
+  const std::string text = outcome.output.substr(std::min<std::size_t>(1, outcome.output.size()));
+  if (outcome.output.starts_with(kCannotWrite)) throw WriteError(text);
   try {
-    CellResult result = cell_from_line(outcome.output);
+    CellResult result = cell_from_line(text);
     return result.key == key ? result : error_row(key, "sent home the result of another cell");
   } catch (const StoreError& error) {
     return error_row(key, error.what());
@@ -37,7 +43,13 @@ CellResult run_cell(const Scenario& scenario, const PlannedCell& cell, const Tri
 int run_cells(const std::vector<CellKey>& keys, const WorkerOptions& options,
               const std::function<CellResult(std::size_t)>& compute,
               const std::function<void(std::size_t, const CellResult&)>& done) {
-  const auto task = [&](std::size_t i) { return cell_to_line(compute(i)); };
+  const auto task = [&](std::size_t i) {
+    try {
+      return kResult + cell_to_line(compute(i));
+    } catch (const WriteError& error) {
+      return kCannotWrite + std::string(error.what());
+    }
+  };
   const auto ended = [&](std::size_t i, const TaskOutcome& outcome) { done(i, result_from(keys[i], outcome)); };
   return run_in_processes(keys.size(), options, task, ended);
 }

@@ -17,6 +17,7 @@ CellResult run_cell(const Scenario& scenario, const PlannedCell& cell, const Tri
 
 // `compute(i)` in a process of its own for each of `keys`, and `done(i, result)` in this one, in the order in which
 // they end. A cell whose process comes to no result, for whatever reason, is a row of outcome kError with that reason.
+// Files of a cell that cannot be written are no property of the cell: WriteError is thrown and the processes are ended.
 // On SIGINT or SIGTERM the processes are ended and the number of the signal is returned; 0 otherwise.
 int run_cells(const std::vector<CellKey>& keys, const WorkerOptions& options,
               const std::function<CellResult(std::size_t)>& compute,

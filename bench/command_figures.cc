@@ -6,6 +6,7 @@
 #include "bench/commands.h"
 #include "bench/gnuplot_process.h"
 #include "results/figures.h"
+#include "results/plain_files.h"
 #include "results/whole_file.h"
 
 namespace dob {
@@ -30,7 +31,10 @@ void list(const std::vector<MadeFigure>& figures, const Arguments& arguments) {
 }
 
 int draw(Arguments arguments) {
-  if (arguments.out.empty()) arguments.out = arguments.dir / "figures";
+  if (arguments.out.empty()) {
+    arguments.out = arguments.dir / "figures";
+    require_plain_directory(arguments.out);
+  }
   const FigureSet set = load_figures(paper_figures_file());
   FigureCells cells(arguments.dir, read_run(arguments.dir), arguments.request);
   const std::vector<MadeFigure> figures = make_figures(set, cells);

@@ -13,8 +13,10 @@
 #include "bench/claims_report.h"
 #include "bench/commands.h"
 #include "bench/number_between.h"
+#include "bench/plugin_consent.h"
 #include "bench/shell_words.h"
 #include "results/table.h"
+#include "results/whole_file.h"
 #include "scenarios/input_error.h"
 
 namespace dob {
@@ -23,13 +25,14 @@ namespace {
 constexpr int kMaxSeed = 1'000'000;
 
 // What was asked for is data; what it is done with, and which time series it leaves behind, is not.
-constexpr std::array kOperational{"--resume", "--retry-errors", "--out", "--jobs",    "--timeout",
-                                  "--claims", "--keep",         "--log", "--log-rate"};
+constexpr std::array kOperational{"--resume", "--retry-errors", "--out",      "--jobs",         "--timeout", "--claims",
+                                  "--keep",   "--log",          "--log-rate", "--memory-limit", "--plugin"};
 
 struct Arguments {
   BatchRequest request;
   BatchOptions options;
   std::vector<std::string> shadows;
+  std::vector<std::filesystem::path> plugins;  // of the run that is gone on with
   std::string seeds = "1";
   std::string log = "none";
   bool claims = false;
@@ -59,6 +62,12 @@ void read_seeds(const std::string& text, BatchRequest& request) {
   if (request.last_seed < request.first_seed) parse_seed("", text);
 }
 
+void split_shadows(Arguments& arguments) {
+  for (const std::string& list : arguments.shadows) {
+    for (std::string& shadow : split_specifications(list)) arguments.request.shadows.push_back(std::move(shadow));
+  }
+}
+
 CLI::App* add_options(CLI::App& app, Arguments* arguments);
 
 // The arguments of the command line that began the run in `dir`.
@@ -75,6 +84,7 @@ Arguments arguments_of_run(const std::filesystem::path& dir) {
   words.pop_back();
   app.parse(words);
   read_seeds(stored.seeds, stored.request);
+  split_shadows(stored);
   return stored;
 }
 
@@ -95,11 +105,11 @@ void take_plan_of_run(Arguments& arguments, const CLI::App& command) {
         fmt::format("--resume: {} holds no run to go on with; to begin one there, say what to run", dir.string()));
   }
   Arguments stored = arguments_of_run(dir);
+  require_consent(stored.request, arguments.plugins, "--resume: " + dir.string());
   if (command.count("--keep") == 0) arguments.keep = stored.keep;
   if (command.count("--log") == 0) arguments.log = stored.log;
   if (command.count("--log-rate") == 0) arguments.options.log_rate = stored.options.log_rate;
   arguments.request = std::move(stored.request);
-  arguments.shadows = std::move(stored.shadows);
   arguments.seeds = std::move(stored.seeds);
 }
 
@@ -109,19 +119,27 @@ void warn(const std::vector<std::string>& warnings) {
   fmt::print(stderr, "dobbench: a disturbance that never acts: {}{}\n", warnings.front(), more);
 }
 
+BatchSummary run_or_say_how_to_go_on(const BatchPlan& plan, const BatchOptions& options) {
+  try {
+    return run_batch(plan, options);
+  } catch (const WriteError& error) {
+    throw WriteError(
+        fmt::format("{}; what was finished is kept: `dobbench run --resume --out DIR` goes on", error.what()));
+  }
+}
+
 int run(Arguments& arguments, const CLI::App& command) {
   if (arguments.options.resume && asks_for_nothing(command)) take_plan_of_run(arguments, command);
   if (command.count("--log-rate") > 0 && arguments.log != "csv") throw InputError("--log-rate: needs --log csv");
   read_seeds(arguments.seeds, arguments.request);
-  for (const std::string& list : arguments.shadows) {
-    for (std::string& shadow : split_specifications(list)) arguments.request.shadows.push_back(std::move(shadow));
-  }
+  split_shadows(arguments);
   arguments.options.log_csv = arguments.log == "csv";
   arguments.options.keep = arguments.keep;
   arguments.options.progress = ::isatty(STDERR_FILENO) == 1;
+  try_plugins(arguments.request);
   const BatchPlan plan = plan_batch(arguments.request);
   warn(plan.warnings);
-  const BatchSummary summary = run_batch(plan, arguments.options);
+  const BatchSummary summary = run_or_say_how_to_go_on(plan, arguments.options);
   const Run finished = read_run(summary.dir);
   fmt::print("{}", render_table(finished, {}));
   if (!arguments.request.shadows.empty()) fmt::print("\n{}", render_table(finished, {.shadow = true}));
@@ -161,6 +179,12 @@ CLI::App* add_options(CLI::App& app, Arguments* arguments) {
       "go on with the run in --out, by the same program and with the same arguments, or begin it; without arguments, "
       "only go on, with those that began it; cells that could not be run stay as they are");
   resume->needs(out);
+  command
+      ->add_option("--plugin", arguments->plugins,
+                   "with --resume alone: a plugin of the run that may be loaded again; it is code that runs here")
+      ->allow_extra_args(false)
+      ->type_name("FILE.so")
+      ->needs(resume);
   command->add_flag("--retry-errors", options.retry_errors, "run those cells again")->needs(resume);
   command->add_option("--log", arguments->log, "csv: time series of every cell as a file, for PlotJuggler")
       ->check(CLI::IsMember({"none", "csv"}));
@@ -170,13 +194,19 @@ CLI::App* add_options(CLI::App& app, Arguments* arguments) {
       ->transform(CLI::CheckedTransformer(keeps));
   command->add_option("--timeout", options.timeout_s, "wall time for one cell [s]; 0: none")
       ->check(number_between(0.0, 1e9));
+  command
+      ->add_option("--memory-limit", options.memory_limit_MB, "addresses for one cell [MB] (default 4000); 0: no limit")
+      ->check(CLI::Range(0L, 1'000'000'000L))
+      ->type_name("MB");
   return command;
 }
 
 }  // namespace
 
-BatchRequest request_of_run(const std::filesystem::path& dir) {
-  return arguments_of_run(dir).request;
+BatchRequest request_of_run(const std::filesystem::path& dir, const std::vector<std::filesystem::path>& plugins) {
+  BatchRequest request = arguments_of_run(dir).request;
+  require_consent(request, plugins, "--out " + dir.string());
+  return request;
 }
 
 Command add_run_command(CLI::App& app, const std::string& command_line) {

@@ -7,6 +7,7 @@
 #include "bench/batch.h"
 #include "bench/commands.h"
 #include "bench/number_between.h"
+#include "bench/plugin_consent.h"
 #include "bench/timing.h"
 #include "bench/worker_pool.h"
 #include "results/store.h"
@@ -16,7 +17,8 @@ namespace {
 
 struct Arguments {
   BatchRequest request;
-  std::filesystem::path out;  // a run; empty: the figures are printed only
+  std::filesystem::path out;                   // a run; empty: the figures are printed only
+  std::vector<std::filesystem::path> plugins;  // of that run
   double seconds = 10.0;
   std::string command_line;
 };
@@ -49,6 +51,18 @@ void print_heading() {
   line("", "[us]", "[us]", "[us]", "[us]", "[us]", "[us]", "[x real]");
 }
 
+// What has come from the cell's process; false, with the reason, if it is not the timing of this cell.
+bool read(const std::string& line, const CellKey& key, CellTiming& timing, std::string& reason) {
+  try {
+    timing = timing_from_line(line);
+    reason = "sent home the timing of another cell";
+    return timing.key == key;
+  } catch (const StoreError& error) {
+    reason = error.what();
+    return false;
+  }
+}
+
 // One cell after the other. `store` may be null.
 int measure(const BatchPlan& plan, double seconds, RunStore* store) {
   const std::vector<PlannedCell> cells = first_seeds(plan);
@@ -57,18 +71,19 @@ int measure(const BatchPlan& plan, double seconds, RunStore* store) {
     return timing_to_line(time_cell(plan.scenarios[cells[i].scenario], cells[i], seconds));
   };
   const auto done = [&](std::size_t i, const TaskOutcome& outcome) {
-    if (!outcome.ok) {
+    CellTiming timing;
+    std::string reason = outcome.reason;
+    if (!outcome.ok || !read(outcome.output, cells[i].key, timing, reason)) {
       ++failed;
-      fmt::print("{} {} {}: {}\n", cells[i].key.scenario, cells[i].key.observer, cells[i].key.profile, outcome.reason);
+      fmt::print("{} {} {}: {}\n", cells[i].key.scenario, cells[i].key.observer, cells[i].key.profile, reason);
       return;
     }
-    const CellTiming timing = timing_from_line(outcome.output);
     if (store != nullptr) store->append(timing);
     print(timing);
   };
   warn_of_other_load();
   print_heading();
-  const int signal = run_in_processes(cells.size(), {.jobs = 1}, task, done);
+  const int signal = run_in_processes(cells.size(), {.jobs = 1, .memory_limit_MB = kDefaultMemoryLimit_MB}, task, done);
   if (signal != 0) return kExitSignal + signal;
   return failed > 0 ? kExitCellErrors : kExitOk;
 }
@@ -85,7 +100,9 @@ void require_cells_of(const std::filesystem::path& dir, const BatchPlan& plan) {
 
 int run(const Arguments& arguments) {
   const bool plan_of_run = !arguments.out.empty() && is_empty(arguments.request);
-  const BatchPlan plan = plan_batch(plan_of_run ? request_of_run(arguments.out) : arguments.request);
+  const BatchRequest request = plan_of_run ? request_of_run(arguments.out, arguments.plugins) : arguments.request;
+  try_plugins(request);
+  const BatchPlan plan = plan_batch(request);
   if (arguments.out.empty()) return measure(plan, arguments.seconds, nullptr);
   require_cells_of(arguments.out, plan);
   RunStore store = RunStore::open(arguments.out, run_info(plan, arguments.command_line));
@@ -111,6 +128,11 @@ Command add_timing_command(CLI::App& app, const std::string& command_line) {
   command
       ->add_option("--out", arguments->out, "run directory, by this program, that keeps the figures: `table --timing`")
       ->check(CLI::ExistingDirectory);
+  command
+      ->add_option("--plugin", arguments->plugins,
+                   "a plugin of the run in --out that may be loaded again; it is code that runs here")
+      ->allow_extra_args(false)
+      ->type_name("FILE.so");
   return [arguments] { return run(*arguments); };
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "bench/commands.h"
+#include "bench/number_between.h"
 #include "bench/verify.h"
 
 namespace dob {
@@ -49,7 +50,7 @@ Command add_verify_command(CLI::App& app) {
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
   command->add_option("--timeout", options.timeout_s, "wall time for one cell [s]; 0: none")
-      ->check(CLI::Range(0.0, 1e9))
+      ->check(number_between(0.0, 1e9))
       ->type_name("S");
   command->add_option("--format", arguments->format, "of the answer (default text); csv has every cell")
       ->transform(CLI::CheckedTransformer(formats))

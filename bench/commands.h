@@ -1,11 +1,12 @@
 // The commands of dobbench. Each adds its options to the command line; the returned function runs it and returns the
-// exit code: 0 done, 1 a comparison says no, 2 bad input (nothing was run), 3 some cells could not be run, 128 + n
-// stopped by signal n.
+// exit code: 0 done, 1 a comparison says no, 2 bad input (nothing was run), 3 some cells could not be run, 4 a file
+// could not be written (what was finished is kept), 128 + n stopped by signal n.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -17,12 +18,14 @@ inline constexpr int kExitOk = 0;
 inline constexpr int kExitSaysNo = 1;
 inline constexpr int kExitBadInput = 2;
 inline constexpr int kExitCellErrors = 3;
+inline constexpr int kExitCannotWrite = 4;
 inline constexpr int kExitSignal = 128;
 
 using Command = std::function<int()>;
 
-// What the `dobbench run` that began the run in `dir` was asked for. Throws StoreError if it was begun otherwise.
-BatchRequest request_of_run(const std::filesystem::path& dir);
+// What the `dobbench run` that began the run in `dir` was asked for. Throws StoreError if it was begun otherwise,
+// InputError if that would load a plugin that is not among `plugins`, those that the user has named again.
+BatchRequest request_of_run(const std::filesystem::path& dir, const std::vector<std::filesystem::path>& plugins);
 
 Command add_analyse_command(CLI::App& app);
 Command add_check_command(CLI::App& app);

@@ -1,13 +1,16 @@
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <map>
 #include <string>
+#include <system_error>
 
 #include <fmt/format.h>
 
 #include "bench/build_info.h"
 #include "bench/commands.h"
 #include "bench/shell_words.h"
-#include "results/store.h"
+#include "results/whole_file.h"
 #include "robot/text_input.h"
 #include "scenarios/input_error.h"
 
@@ -56,10 +59,16 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing it, not the end of the program
   try {
-    return run(argc, argv);
+    const int code = run(argc, argv);
+    if (std::fflush(stdout) == 0) return code;
+    throw dob::WriteError("standard output: " + std::generic_category().message(errno));
+  } catch (const dob::WriteError& error) {
+    print_error(error);
+    return dob::kExitCannotWrite;
   } catch (const std::exception& error) {
     print_error(error);
-    return dob::kExitBadInput;
+    return std::ferror(stdout) != 0 ? dob::kExitCannotWrite : dob::kExitBadInput;
   }
 }

@@ -13,10 +13,10 @@ namespace dob {
 
 class TickLog {
  public:
-  // About `rate` [Hz] of the ticks of dt [s]. Throws StoreError if the file cannot be made.
+  // About `rate` [Hz] of the ticks of dt [s]. Throws WriteError if the file cannot be made.
   TickLog(const std::filesystem::path& file, double rate, double dt);
   void add(const TickRecord& tick);
-  // Throws StoreError if something could not be written.
+  // Throws WriteError if something could not be written.
   void close();
 
  private:

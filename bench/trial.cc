@@ -45,6 +45,10 @@ std::string never_fired(const Disturbance& d) {
                      d.trigger->phase, kLegNames[static_cast<std::size_t>(d.trigger->leg)], d.profile.start_s);
 }
 
+bool is_finite(const Estimate& e) noexcept {
+  return (!e.has_legs || e.leg_torque.allFinite()) && (!e.has_com || e.com_wrench.allFinite());
+}
+
 DisturbanceEstimate for_controller(const Estimate& e) noexcept {
   return {e.has_legs, e.leg_torque, e.has_com, e.com_wrench};
 }
@@ -188,6 +192,10 @@ CellResult Trial::run(const Sink& sink) {
   while (tick_ < ticks) {
     const bool up = tick();
     hash = hash_state(hash, true_terms().state);
+    if (up && !is_finite(estimate_)) {
+      throw std::runtime_error(
+          fmt::format("the estimate of {} is not finite at {:.3f} s", observer_config_.label, time()));
+    }
     if (up) {
       metrics.add(record_);
       shadows_.count();
@@ -201,6 +209,9 @@ CellResult Trial::run(const Sink& sink) {
   }
   if (const Disturbance* d = disturbances_.waiting(); d != nullptr && result.outcome == Outcome::kSurvived) {
     throw std::runtime_error(never_fired(*d));
+  }
+  if (const std::string_view metric = metrics.not_finite(); !metric.empty() && result.outcome == Outcome::kSurvived) {
+    throw std::runtime_error(fmt::format("{} is not finite", metric));
   }
   result.simulated_s = time();
   result.state_hash = hash;

@@ -32,7 +32,8 @@ class Trial {
 
   // Runs to the scenario's end or a fall. The result's key holds what the trial knows of it. `sink` sees every tick.
   // Throws std::runtime_error when it came to its end but a disturbance never came to its trigger: it would be taken
-  // for a trial under that disturbance.
+  // for a trial under that disturbance; and when the robot stands but the observer's estimate, or what is measured of
+  // the trial, is not finite: it would be taken for a trial with that observer.
   CellResult run(const Sink& sink = {});
 
   // Measures the ticks from now on; the clock must outlive the trial. Changes nothing else.

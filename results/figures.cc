@@ -94,6 +94,7 @@ void write_figures(const std::vector<MadeFigure>& figures, FigureFormat format, 
   if (error) throw StoreError(fmt::format("{}: cannot be made: {}", out.string(), error.message()));
   for (const MadeFigure& made : figures) {
     if (!made.figure) continue;
+    fs::remove(out / fmt::format("{}.{}", made.spec->id, to_string(format)), error);  // gnuplot would follow a link
     const GnuplotFiles files = gnuplot_files(*made.figure, format);
     write_whole_file(out / (made.spec->id + ".dat"), files.data);
     write_whole_file(out / (made.spec->id + ".gp"), files.script);

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "results/metric_fields.h"
+
 namespace dob {
 namespace {
 
@@ -107,33 +109,50 @@ std::vector<MetricsCheckpoint> MetricsAccumulator::checkpoints() const {
   return all;
 }
 
-CellMetrics MetricsAccumulator::finish() const {
+// Also what is not finite.
+CellMetrics MetricsAccumulator::as_measured() const {
   const FootErrorSummary foot = worst_of(feet_);
   const EstimateRmse estimate = estimate_errors_.rmse();
   const std::optional<double> saturated = saturated_joints_.value();
   CellMetrics m;
-  m.com_error_max_m = finite(com_error_max_);
-  m.com_error_rms_m = finite(root(com_error_square_.value()));
-  m.com_error_p99_m = finite(p99_of(com_error_));
-  m.path_error_max_m = finite(path_error_max_);
-  m.foot_error_max_m = finite(foot.swing_max);
-  m.foot_error_p99_m = finite(foot.swing_p99);
-  m.foot_error_onset_max_m = finite(foot.onset_max);
-  m.foot_error_stance_max_m = finite(foot.stance_max);
-  m.foothold_error_max_m = finite(foot.foothold_max);
-  m.grf_error_mean_N = finite(grf_error_.value());
-  m.estimate_rmse_N = finite(estimate.force_N);
-  m.joint_estimate_rmse_Nm = finite(estimate.joint_Nm);
-  m.com_force_rmse_N = finite(estimate.com_force_N);
-  m.com_moment_rmse_Nm = finite(estimate.com_moment_Nm);
-  m.orientation_error_max_rad = finite(orientation_error_max_);
+  m.com_error_max_m = com_error_max_;
+  m.com_error_rms_m = root(com_error_square_.value());
+  m.com_error_p99_m = p99_of(com_error_);
+  m.path_error_max_m = path_error_max_;
+  m.foot_error_max_m = foot.swing_max;
+  m.foot_error_p99_m = foot.swing_p99;
+  m.foot_error_onset_max_m = foot.onset_max;
+  m.foot_error_stance_max_m = foot.stance_max;
+  m.foothold_error_max_m = foot.foothold_max;
+  m.grf_error_mean_N = grf_error_.value();
+  m.estimate_rmse_N = estimate.force_N;
+  m.joint_estimate_rmse_Nm = estimate.joint_Nm;
+  m.com_force_rmse_N = estimate.com_force_N;
+  m.com_moment_rmse_Nm = estimate.com_moment_Nm;
+  m.orientation_error_max_rad = orientation_error_max_;
   m.torque_saturation_ratio = saturated ? std::optional(*saturated / kJoints) : std::nullopt;
-  m.slip_max_m = finite(slip_max_);
+  m.slip_max_m = slip_max_;
   m.qp_solves = qp_solves_;
   m.qp_failures = qp_failures_;
   m.planner_failures = planner_failures_;
+  return m;
+}
+
+CellMetrics MetricsAccumulator::finish() const {
+  CellMetrics m = as_measured();
+  for (const MetricField& field : kMetricFields) {
+    if (field.value != nullptr) m.*field.value = finite(m.*field.value);
+  }
   claim_metrics_.write(m);
   return m;
+}
+
+std::string_view MetricsAccumulator::not_finite() const {
+  const CellMetrics m = as_measured();
+  for (const MetricField& field : kMetricFields) {
+    if (field.value != nullptr && m.*field.value && !std::isfinite(*(m.*field.value))) return field.name;
+  }
+  return {};
 }
 
 }  // namespace dob

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "results/cell.h"
@@ -28,12 +29,17 @@ class MetricsAccumulator {
 
   CellMetrics finish() const;
 
+  // Name of the first metric that has met a value that is not finite; empty if there is none. What only the claims ask
+  // for is left out: ratios among it have no value where there is nothing to compare with.
+  std::string_view not_finite() const;
+
   // One every 0.5 s and one at the end: each is, bit for bit, what finish() would have said had the trial ended there.
   // So a swing under way counts as what it has been so far; it leaves foot_error_max_m again, which may then become
   // smaller, if a disturbance's onset in its first 20 ms makes it an onset swing.
   std::vector<MetricsCheckpoint> checkpoints() const;
 
  private:
+  CellMetrics as_measured() const;
   void add_force_errors(const TickRecord& tick) noexcept;
   void add_slip(const TickRecord& tick) noexcept;
   std::optional<double> foot_error_max() const noexcept;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "results/database_guard.h"
 #include "results/metric_fields.h"
 
 namespace dob {
@@ -80,9 +81,12 @@ SQLite::Database open_database(const fs::path& dir) {
     throw StoreError(fmt::format("{}: is not a run directory (it has no {})", dir.string(), kDatabaseFile));
   }
   const fs::path file = dir / kDatabaseFile;
+  require_harmless_files(file);
   return with_database(file, [&] {
     SQLite::Database database(file.string(), SQLite::OPEN_READWRITE, kBusyTimeout);
+    distrust(database);
     require_version(database, file);
+    require_sound(database, file);
     return database;
   });
 }

@@ -90,7 +90,8 @@ SQLite::Database create_database(const std::filesystem::path& file);
 void create_histogram_table(SQLite::Database& database);
 
 // Opens that of a run directory. For reading too it is opened for writing where it may be, so that the transaction of a
-// process that was killed is rolled back. Throws StoreError if there is none, or not one of this version.
+// process that was killed is rolled back. Throws StoreError if there is none, not one of this version, or one in which
+// there is more than a dobbench puts there (results/database_guard.h).
 SQLite::Database open_database(const std::filesystem::path& dir);
 
 // Calls action() and turns what SQLite throws into a StoreError about `file`.

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
-#include <string_view>
 #include <sys/stat.h>
 #include <system_error>
 
 #include <fmt/format.h>
 
+#include "results/plain_files.h"
 #include "results/run_database.h"
 #include "results/run_lock.h"
 #include "results/run_plan.h"
@@ -41,10 +41,9 @@ int run_number(const std::string& name) {
 }  // namespace
 
 void check_names(const std::vector<ResolvedScenario>& scenarios) {
-  constexpr std::string_view kAllowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
   for (const ResolvedScenario& scenario : scenarios) {
     const std::string& name = scenario.name;
-    if (name.empty() || name.front() == '.' || name.find_first_not_of(kAllowed) != std::string::npos) {
+    if (!is_plain_name(name)) {
       throw StoreError(fmt::format(
           "scenarios/{}.toml: a scenario's name consists of letters, digits, '_', '-' and '.', not first", name));
     }
@@ -86,20 +85,26 @@ void fill_directory(const fs::path& dir, const RunInfo& info, const std::vector<
   std::error_code error;
   const fs::path unfinished = dir / kUnfinished;
   fs::remove(unfinished, error);
-  fs::remove(unfinished.string() + "-journal", error);
+  for (const char* ending : {"-journal", "-wal", "-shm"}) {  // of a making that was cut short; a new database has none
+    fs::remove(unfinished.string() + ending, error);
+    fs::remove((dir / kDatabaseFile).string() + ending, error);
+  }
   fs::remove_all(dir / "scenarios", error);
-  make_directories(dir / "scenarios");
+  make_plain_directory(dir / "scenarios");
   for (const ResolvedScenario& scenario : scenarios) {
     write_whole_file(dir / "scenarios" / (scenario.name + ".toml"), scenario.toml);
   }
-  with_database(unfinished, [&] {
+  try {
     SQLite::Database database = create_database(unfinished);
     SQLite::Transaction transaction(database);
     write_plan(database, info, scenarios);
     transaction.commit();
-  });
-  fs::rename(unfinished, dir / kDatabaseFile, error);
-  if (error) fail(dir / kDatabaseFile, "cannot write", error.value());
+  } catch (const SQLite::Exception& sqlite) {
+    throw WriteError(fmt::format("{}: {}", unfinished.string(), sqlite.what()));
+  }
+  const fs::path file = dir / kDatabaseFile;
+  fs::rename(unfinished, file, error);
+  if (error) throw WriteError(fmt::format("{}: cannot be written: {}", file.string(), error.message()));
 }
 
 }  // namespace dob

@@ -7,13 +7,15 @@
 
 #include <fmt/format.h>
 
+#include "results/plain_files.h"
 #include "results/store.h"
 
 namespace dob {
 
 RunLock::RunLock(const std::filesystem::path& dir) {
   const std::filesystem::path file = dir / kLockFile;
-  fd_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  require_plain_file(file);
+  fd_ = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
   if (fd_ < 0) throw StoreError(fmt::format("{}: {}", file.string(), std::generic_category().message(errno)));
   struct flock lock {};
   lock.l_type = F_WRLCK;

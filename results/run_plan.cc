@@ -10,7 +10,9 @@
 #include <fmt/ranges.h>
 
 #include "results/fingerprint.h"
+#include "results/plain_files.h"
 #include "results/run_directory.h"
+#include "results/table_cells.h"
 
 namespace dob {
 namespace {
@@ -117,6 +119,12 @@ void require_same_sources(const fs::path& dir, const RunInfo& run, const RunInfo
   }
 }
 
+// Names go to terminals and into pages.
+void require_printable(const std::string& name) {
+  if (on_one_line(name) == name && name.find('\x7f') == std::string::npos) return;
+  throw std::runtime_error(fmt::format("'{}' holds a control character", on_one_line(name)));
+}
+
 }  // namespace
 
 void write_plan(SQLite::Database& database, const RunInfo& info, const std::vector<ResolvedScenario>& scenarios) {
@@ -171,7 +179,12 @@ RunInfo read_info(SQLite::Database& database) {
   while (cell.executeStep()) {
     info.cells.push_back({text(cell, 0), text(cell, 1), text(cell, 2), text(cell, 3), text(cell, 4), text(cell, 5),
                           text(cell, 6), cell.getColumn(7).getInt()});
-    if (!cell.getColumn(8).isNull()) info.sources.push_back({text(cell, 8), text(cell, 9)});
+    for (int i = 0; i < 6; ++i) require_printable(text(cell, i));
+    if (cell.getColumn(8).isNull()) continue;
+    if (!is_plain_name(text(cell, 8))) {
+      throw std::runtime_error(fmt::format("scenario file '{}' is not one of scenarios/", on_one_line(text(cell, 8))));
+    }
+    info.sources.push_back({text(cell, 8), text(cell, 9)});
   }
   return info;
 }
@@ -185,13 +198,21 @@ std::map<long, Provenance> read_programs(SQLite::Database& database) {
   return programs;
 }
 
+RunInfo read_info_of(const fs::path& dir, SQLite::Database& database) {
+  try {
+    return read_info(database);
+  } catch (const std::runtime_error& error) {  // SQLite's, or a value that is not what it should be
+    throw StoreError(fmt::format("{}: {}", (dir / kDatabaseFile).string(), error.what()));
+  }
+}
+
 std::string select_cell_id() {
   return fmt::format("SELECT id FROM cell WHERE {} = ?", fmt::join(kKeyColumns, " = ? AND "));
 }
 
 RunInfo read_run_info(const fs::path& dir) {
   SQLite::Database database = open_database(dir);
-  return with_database(dir / kDatabaseFile, [&] { return read_info(database); });
+  return read_info_of(dir, database);
 }
 
 ResolvedScenario read_resolved(const fs::path& dir, const std::string& name) {
@@ -218,7 +239,7 @@ void require_same_program(const fs::path& dir, const RunInfo& now) {
 
 void require_same_plan(const fs::path& dir, const RunInfo& now, const std::vector<ResolvedScenario>& scenarios) {
   SQLite::Database database = open_database(dir);
-  const RunInfo run = with_database(dir / kDatabaseFile, [&] { return read_info(database); });
+  const RunInfo run = read_info_of(dir, database);
   if (run.cells != now.cells) {
     const std::string differences =
         describe_missing(now.cells, run.cells, "of the cells asked for do not belong to it") +

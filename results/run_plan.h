@@ -19,6 +19,8 @@ long add_batch(SQLite::Database& database, const RunInfo& now);
 
 // What began the run, with its cells and their sources.
 RunInfo read_info(SQLite::Database& database);
+// The same; what it throws is a StoreError about that file of `dir`.
+RunInfo read_info_of(const std::filesystem::path& dir, SQLite::Database& database);
 
 // What computed, by the id of the batch.
 std::map<long, Provenance> read_programs(SQLite::Database& database);

@@ -12,6 +12,7 @@
 #include "results/run_directory.h"
 #include "results/run_lock.h"
 #include "results/run_plan.h"
+#include "results/whole_file.h"
 
 namespace dob {
 
@@ -51,11 +52,13 @@ struct RunStore::Impl {
   template <typename Write>
   void write(const Write& write_rows) {
     const std::lock_guard guard(mutex);
-    with_database(dir / kDatabaseFile, [&] {
+    try {
       SQLite::Transaction transaction(database, SQLite::TransactionBehavior::IMMEDIATE);
       write_rows();
       transaction.commit();
-    });
+    } catch (const SQLite::Exception& error) {
+      throw WriteError(fmt::format("{}: {}", (dir / kDatabaseFile).string(), error.what()));
+    }
   }
 
   void write_result(long cell, const CellResult& result) {

@@ -57,6 +57,11 @@ CellMetrics metrics_from_json(const Json& json) {
   return metrics;
 }
 
+Outcome outcome_from(std::size_t number) {
+  if (number < kOutcomes.size()) return static_cast<Outcome>(number);
+  throw std::out_of_range(fmt::format("outcome {}", number));
+}
+
 }  // namespace
 
 std::string one_line(const Json& json) {
@@ -89,7 +94,7 @@ CellResult cell_from_line(const std::string& line) {
     const Json json = Json::parse(line);
     CellResult cell;
     cell.key = key_from_json(json.at("key"));
-    cell.outcome = static_cast<Outcome>(json.at("outcome").get<int>());
+    cell.outcome = outcome_from(json.at("outcome").get<std::size_t>());
     json.at("reason").get_to(cell.reason);
     json.at("simulated_s").get_to(cell.simulated_s);
     json.at("wall_s").get_to(cell.wall_s);

@@ -9,9 +9,11 @@
 #include <fmt/ranges.h>
 
 #include "results/metric_fields.h"
+#include "results/plain_files.h"
 #include "results/run_database.h"
 #include "results/run_plan.h"
 #include "results/store.h"
+#include "results/table_cells.h"
 
 namespace dob {
 namespace {
@@ -32,6 +34,13 @@ std::uint64_t hash_from(const std::string& hex) {
     throw std::invalid_argument(fmt::format("state_hash '{}', allowed: 16 hexadecimal digits", hex));
   }
   return hash;
+}
+
+// A file of the run's own, or none.
+std::string trace_from(const std::string& name) {
+  constexpr std::string_view kDirectory = "traces/";
+  if (name.empty() || (name.starts_with(kDirectory) && is_plain_name(name.substr(kDirectory.size())))) return name;
+  throw std::invalid_argument(fmt::format("trace '{}', allowed: a file in traces/", on_one_line(name)));
 }
 
 std::optional<double> number_or_null(const SQLite::Statement& row, int column) {
@@ -110,7 +119,7 @@ class Reader {
     cell.simulated_s = number(row, 4);
     cell.wall_s = number(row, 5);
     cell.state_hash = hash_from(row.getColumn(6).getString());
-    cell.trace = row.getColumn(7).getString();
+    cell.trace = trace_from(row.getColumn(7).getString());
     cell.metrics.qp_solves = row.getColumn(8).getInt64();
     for (int column = 9; const MetricField& field : kMetricFields) {
       if (field.value != nullptr) {

@@ -1,11 +1,15 @@
 #include <algorithm>
-#include <limits>
+#include <optional>
 #include <tuple>
 
 #include "results/table_rows.h"
 
 namespace dob {
 namespace {
+
+std::optional<double> com_error(const TableRow& row) {
+  return row.metrics[metric_index("com_error_max_m")].median;
+}
 
 // Smaller is better.
 struct Merit {
@@ -15,11 +19,15 @@ struct Merit {
   friend auto operator<=>(const Merit&, const Merit&) = default;
 };
 
+// Of a row that can be ranked.
 Merit merit(const TableRow& row) {
   const double lost = row.falls + row.errors;
-  const std::optional<double> com = row.metrics[metric_index("com_error_max_m")].median;
-  return {lost / (row.runs + row.errors),
-          row.until_fall ? -*row.fall_time_median_s : com.value_or(std::numeric_limits<double>::infinity())};
+  return {lost / (row.runs + row.errors), row.until_fall ? -*row.fall_time_median_s : *com_error(row)};
+}
+
+// An oracle is a bound; without a run, or without a finite error of those that survived, there is nothing to go by.
+bool can_be_ranked(const TableRow& row) {
+  return !row.oracle && row.runs > 0 && (row.until_fall || com_error(row));
 }
 
 auto block_of(const CellKey& key) noexcept {
@@ -34,9 +42,9 @@ bool same_block(const CellKey& a, const CellKey& b) noexcept {
 
 void rank_rows(std::vector<TableRow>& rows) {
   for (TableRow& row : rows) {
-    if (row.oracle || row.runs == 0) continue;
+    if (!can_be_ranked(row)) continue;
     row.rank = 1 + static_cast<int>(std::count_if(rows.begin(), rows.end(), [&](const TableRow& other) {
-                 return same_block(other.key, row.key) && !other.oracle && other.runs > 0 && merit(other) < merit(row);
+                 return same_block(other.key, row.key) && can_be_ranked(other) && merit(other) < merit(row);
                }));
   }
 }

@@ -68,6 +68,9 @@ std::string uncompressed(std::string_view bytes, std::size_t expected) {
 }
 
 std::string read_bytes(const fs::path& file) {
+  std::error_code error;
+  const fs::file_type type = fs::status(file, error).type();
+  if (type != fs::file_type::regular && type != fs::file_type::not_found) throw std::runtime_error("is no file");
   std::ifstream in(file, std::ios::binary);
   if (!in) throw std::runtime_error("cannot be read");
   return {std::istreambuf_iterator<char>(in), {}};

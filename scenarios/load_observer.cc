@@ -16,6 +16,7 @@
 #include "scenarios/gain_keys.h"
 #include "scenarios/loader.h"
 #include "scenarios/observer_tables.h"
+#include "scenarios/plugin_files.h"
 #include "scenarios/profile_kinds.h"
 
 namespace dob {
@@ -24,6 +25,12 @@ namespace {
 constexpr const char* kPlugins = "plugin";
 
 ObserverInfo find_observer(std::string_view name, const Place& place) {
+  if (is_plugin_path(name) && place.line > 0) {
+    throw InputError(place, "",
+                     fmt::format("'{}' is the file of a plugin, code that would run here; allowed in a file: "
+                                 "observers' names; --observer and --shadow may name a plugin",
+                                 name));
+  }
   try {
     if (is_plugin_path(name)) return load_plugin(name);
   } catch (const OptionError& error) {
@@ -84,6 +91,9 @@ void check_profile(const Node& profile) {
   for (const Entry& e : table_of(profile, "")) {
     table_of(e.node, e.key);
     if (e.key == kPlugins) continue;
+    if (is_plugin_path(e.key)) {
+      throw InputError(e.node.place, e.key, "a plugin's table is [plugin.NAME]; a profile may not name its file");
+    }
     if (std::find(kRoutedKinds.begin(), kRoutedKinds.end(), e.key) != kRoutedKinds.end()) {
       check_kind(e.node, e.key);
     } else if (!estimates(find_observer(e.key, e.node.place))) {
@@ -192,6 +202,16 @@ ObserverConfig configure(std::string_view specification, const Node& document, c
 }
 
 }  // namespace
+
+std::vector<std::string> plugin_files(std::string_view specification) {
+  const std::string_view name = split(specification).first;
+  const auto pair = parse_pair_name(name);
+  std::vector<std::string> files;
+  for (const std::string_view part : pair ? std::vector{pair->legs, pair->com} : std::vector{name}) {
+    if (is_plugin_path(part)) files.emplace_back(part);
+  }
+  return files;
+}
 
 ObserverConfig load_observer(std::string_view specification, const std::string& profile, double dt,
                              const Place& place) {

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "results/store.h"
-#include "test/bench/command_line.h"
+#include "test/bench/command_line_children.h"
 
 namespace dob {
 namespace {
@@ -23,25 +23,14 @@ constexpr const char* kWhat =
     "run undisturbed case1/tip_lateral --observer none --observer momentum_com --profile paper --profile matched "
     "--seeds 4 --set duration_s=0.4 --keep none ";
 
-class Resume : public test::CommandLine {
+class Resume : public test::CommandLineChildren {
  protected:
   // Starts dobbench, kills it after `delay` unless it has ended by then.
   void run_and_kill(const std::string& arguments, std::chrono::duration<double> delay) const {
-    const pid_t child = ::fork();
-    if (child == 0) {
-      const std::string command = "cd '" + dir.string() + "' && exec '" DOBBENCH "' " + arguments + " >/dev/null 2>&1";
-      ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-      ::_exit(127);
-    }
+    const pid_t child = start(arguments);
     std::this_thread::sleep_for(delay);
     ::kill(child, SIGKILL);
-    ::waitpid(child, nullptr, 0);
-  }
-
-  std::map<CellKey, std::uint64_t> hashes(const char* run) const {
-    std::map<CellKey, std::uint64_t> hash;
-    for (const CellResult& cell : read_cells(dir / run)) hash[cell.key] = cell.state_hash;
-    return hash;
+    wait_for(child);
   }
 };
 

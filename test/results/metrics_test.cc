@@ -289,6 +289,21 @@ TEST(MetricsTest, ValueThatIsNotFiniteNullsItsMetricAndNoOther) {
   EXPECT_THAT(m.foot_error_stance_max_m, about(0.0));
 }
 
+TEST(MetricsTest, TheMetricThatIsNotFiniteIsNamed) {
+  const auto not_finite = [](const TickRecord& tick) {
+    MetricsAccumulator metrics({}, kDt, kDt);
+    metrics.add(tick);
+    return std::string(metrics.not_finite());
+  };
+  TickRecord tick = quiet();
+  EXPECT_EQ(not_finite(tick), "");
+  tick.has_leg_estimate = true;
+  tick.leg_torque_estimate[3] = 1e200;  // finite, but not its square
+  EXPECT_EQ(not_finite(tick), "joint_estimate_rmse_Nm");
+  tick.com_reference.x() = kNaN;
+  EXPECT_EQ(not_finite(tick), "com_error_max_m");
+}
+
 TEST(MetricsTest, RefusesATickOrDurationThatIsNone) {
   EXPECT_THROW(MetricsAccumulator({}, 0.0, 1.0), std::invalid_argument);
   EXPECT_THROW(MetricsAccumulator({}, kNaN, 1.0), std::invalid_argument);

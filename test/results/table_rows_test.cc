@@ -170,6 +170,12 @@ TEST(TableRanksTest, ARunThatCouldNotBeRunCountsAsLost) {
               ElementsAre("a:2", "b:1", "c:-"));
 }
 
+TEST(TableRanksTest, ASurvivorWithoutACoMErrorHasNoRankAndTakesNone) {
+  std::vector<CellResult> cells{survived(of("a"), 0.01), survived(of("b"), 0.0), fell(of("c"), 5.0, 0.01)};
+  cells[1].metrics.com_error_max_m = std::nullopt;
+  EXPECT_THAT(ranking(run_of(cells)), ElementsAre("a:1", "b:-", "c:2"));
+}
+
 TEST(TableRanksTest, OraclesAreBoundsAndTakeNoRank) {
   const dob::Run run = run_of({survived(of("oracle_full"), 0.001), survived(of("momentum"), 0.010),
                                survived(of("oracle_legs"), 0.002), survived(of("none"), 0.020)});

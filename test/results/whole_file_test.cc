@@ -28,5 +28,17 @@ TEST(WholeFile, IsReplacedAsAWholeOrNotAtAll) {
   EXPECT_FALSE(fs::exists(temporary.path() / "taken.html.part"));
 }
 
+TEST(WholeFile, WhatLinksOfItsNamesPointToIsLeftAlone) {
+  const test::TemporaryDirectory temporary;
+  const fs::path page = temporary.path() / "page.html", other = temporary.path() / "thesis.tex";
+  test::append_text(other, "years of work");
+  fs::create_symlink(other, page);
+  fs::create_symlink(other, page.string() + ".part");
+  write_whole_file(page, "first");
+  EXPECT_EQ(read_text(page), "first");
+  EXPECT_EQ(read_text(other), "years of work");
+  EXPECT_FALSE(fs::is_symlink(page));
+}
+
 }  // namespace
 }  // namespace dob
