@@ -82,6 +82,16 @@ docs:
 	docs/doxygen/prepare build/docs/source
 	cd build/docs/source && doxygen docs/Doxyfile
 
+.PHONY: package test-deb
+# Debian packages in build/packages; installed, run and removed on a bare Debian 12 (as root).
+package: build
+	rm -rf build/packages
+	cd build && cpack >/dev/null
+	ls build/packages/*.deb
+
+test-deb: package
+	.ci/check-deb
+
 format:
 	git ls-files '*.h' '*.cc' | xargs clang-format -i
 
