@@ -94,6 +94,18 @@ docs:
 	docs/doxygen/prepare build/docs/source
 	cd build/docs/source && doxygen docs/Doxyfile
 
+.PHONY: package test-deb
+# Debian packages in build/packages, from a build without tests; installed, run and removed on a bare Debian 12 (as root).
+package: setup
+	cmake -G Ninja -S . -B build/package -DCMAKE_BUILD_TYPE=Release -DDOB_TESTS=OFF -DDOB_WERROR=$(WERROR) >/dev/null
+	cmake --build build/package -j $(JOBS)
+	rm -rf build/packages
+	cpack --config build/package/CPackConfig.cmake -B build/packages >/dev/null
+	ls build/packages/*.deb
+
+test-deb: package
+	.ci/check-deb
+
 format:
 	git ls-files '*.h' '*.cc' | xargs clang-format -i
 

@@ -30,13 +30,19 @@ BatchRequest request_of_run(const std::filesystem::path& dir, const std::vector<
 Command add_analyse_command(CLI::App& app);
 Command add_check_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
+Command add_completion_command(CLI::App& app);
 Command add_figures_command(CLI::App& app);
 Command add_list_command(CLI::App& app);
+Command add_manual_command(CLI::App& app);
 Command add_report_command(CLI::App& app);
 Command add_run_command(CLI::App& app, const std::string& command_line);
 Command add_table_command(CLI::App& app);
 Command add_timing_command(CLI::App& app, const std::string& command_line);
 Command add_tune_command(CLI::App& app, const std::string& command_line);
 Command add_verify_command(CLI::App& app);
+
+// One a line: what can stand next on the command line whose words, but for the program's name, are given
+// (bench/completion.h). For shells, which call it as `dobbench __complete WORD...`.
+int print_completions(const CLI::App& app, const std::vector<std::string>& words);
 
 }  // namespace dob

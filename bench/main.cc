@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "bench/build_info.h"
+#include "bench/command_examples.h"
 #include "bench/commands.h"
 #include "bench/shell_words.h"
 #include "results/whole_file.h"
@@ -36,8 +37,10 @@ int run(int argc, char** argv) {
       {"analyse", dob::add_analyse_command(app)},
       {"check", dob::add_check_command(app)},
       {"compare", dob::add_compare_command(app)},
+      {"completion", dob::add_completion_command(app)},
       {"figures", dob::add_figures_command(app)},
       {"list", dob::add_list_command(app)},
+      {"manual", dob::add_manual_command(app)},
       {"report", dob::add_report_command(app)},
       {"run", dob::add_run_command(app, command_line(argc, argv))},
       {"table", dob::add_table_command(app)},
@@ -45,6 +48,9 @@ int run(int argc, char** argv) {
       {"tune", dob::add_tune_command(app, command_line(argc, argv))},
       {"verify", dob::add_verify_command(app)},
   };
+  dob::finish_help(app);
+  if (argc > 1 && std::string_view(argv[1]) == "__complete")
+    return dob::print_completions(app, {argv + 2, argv + argc});
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help_or_version) {

@@ -43,7 +43,7 @@ struct ClaimSet {
   std::vector<Claim> claims;
 };
 
-// results/paper_claims.toml of the source tree the program was built from.
+// results/paper_claims.toml of what came with the program.
 std::filesystem::path paper_claims_file();
 
 // Throws InputError with file, line and column: unknown keys, kinds and metrics, a limit in another unit than its

@@ -5,6 +5,7 @@
 
 #include "results/claim_keys.h"
 #include "results/claims.h"
+#include "scenarios/data_root.h"
 
 namespace dob {
 namespace {
@@ -136,7 +137,7 @@ Node expanded(const Node& document) {
 }  // namespace
 
 std::filesystem::path paper_claims_file() {
-  return std::filesystem::path(DOB_RESULTS_DIR) / "paper_claims.toml";
+  return data_root() / "results" / "paper_claims.toml";
 }
 
 ClaimSet load_claims(const std::filesystem::path& file) {

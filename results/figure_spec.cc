@@ -4,6 +4,7 @@
 
 #include "results/claim_keys.h"
 #include "robot/types.h"
+#include "scenarios/data_root.h"
 #include "scenarios/reader.h"
 
 namespace dob {
@@ -101,7 +102,7 @@ const FigureQuantity& FigureSet::quantity(const std::string& id) const {
 }
 
 std::filesystem::path paper_figures_file() {
-  return std::filesystem::path(DOB_RESULTS_DIR) / "paper_figures.toml";
+  return data_root() / "results" / "paper_figures.toml";
 }
 
 FigureSet load_figures(const std::filesystem::path& file) {

@@ -9,6 +9,7 @@
 #include "results/report_terrain.h"
 #include "results/report_traces.h"
 #include "results/whole_file.h"
+#include "scenarios/data_root.h"
 
 namespace dob {
 namespace {
@@ -58,7 +59,7 @@ void add_traces(Json& data, const ReportTraces& traces, std::vector<std::string>
 }  // namespace
 
 fs::path report_template_file() {
-  return fs::path(DOB_RESULTS_DIR) / "report" / "template.html";
+  return data_root() / "results" / "report" / "template.html";
 }
 
 ReportSummary write_report(const fs::path& dir, const fs::path& file, const ReportOptions& options) {

@@ -8,7 +8,7 @@
 
 namespace dob {
 
-// results/report/template.html of the source tree the program was built from.
+// results/report/template.html of what came with the program (scenarios/data_root.h).
 std::filesystem::path report_template_file();
 
 struct ReportOptions {

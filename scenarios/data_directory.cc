@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "scenarios/data_root.h"
+
 namespace dob {
 namespace {
 
@@ -25,7 +27,7 @@ std::vector<std::string> toml_files(const std::filesystem::path& directory) {
 
 std::filesystem::path data_directory() {
   const char* chosen = std::getenv("DOBBENCH_SCENARIOS");  // NOLINT(concurrency-mt-unsafe): nobody sets it
-  return chosen != nullptr && *chosen != '\0' ? chosen : DOB_DATA_DIR;
+  return chosen != nullptr && *chosen != '\0' ? chosen : data_root() / "scenarios";
 }
 
 std::filesystem::path defaults_file() {

@@ -7,7 +7,7 @@
 
 namespace dob {
 
-// The environment variable DOBBENCH_SCENARIOS, else scenarios/ of the source tree the program was built from.
+// The environment variable DOBBENCH_SCENARIOS, else scenarios/ of what came with the program (scenarios/data_root.h).
 std::filesystem::path data_directory();
 
 std::filesystem::path defaults_file();  // config/defaults.toml

@@ -36,3 +36,20 @@ expect("^${one}$" ${again})
 if(one STREQUAL other)
   message(FATAL_ERROR "two changed trees are both called ${one}")
 endif()
+
+# Unpacked from an archive, be it within another's checkout: not the commit of that, but the archive's own, or none.
+file(MAKE_DIRECTORY ${DIR}/tree/unpacked)
+function(commit_of_unpacked result script)
+  execute_process(COMMAND ${CMAKE_COMMAND} -DSOURCE=${DIR}/tree/unpacked -DOUT=${DIR}/unpacked.h -P ${script}
+                  COMMAND_ERROR_IS_FATAL ANY)
+  file(STRINGS ${DIR}/unpacked.h line REGEX DOB_COMMIT)
+  string(REGEX REPLACE ".*\"(.*)\"" "\\1" commit "${line}")
+  set(${result} "${commit}" PARENT_SCOPE)
+endfunction()
+commit_of_unpacked(none ${SCRIPT})
+expect("^unknown$" ${none})
+file(READ ${SCRIPT} text)
+string(REPLACE "$Format:%h$" "0123abcd" text "${text}")  # as git archive does it
+file(WRITE ${DIR}/archived.cmake "${text}")
+commit_of_unpacked(archived ${DIR}/archived.cmake)
+expect("^0123abcd$" ${archived})

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Makes a report page of a real, small batch and tests it in chromium. Exit code 77: what it needs is not there, and it
-# need not be (DOB_REPORT_BROWSER=required: exit code 1 then). Where there is a browser, npm fetches what drives it.
+# need not be (DOB_REPORT_BROWSER=required: exit code 1 then; =later: skipped, as it is run on its own). Where there is a
+# browser, npm fetches what drives it.
 #   usage: test/report/report_in_a_browser.sh DOBBENCH WORK [SHOTS]     SHOTS: for screenshots (default WORK/shots)
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -11,6 +12,7 @@ missing() {
   [ "${DOB_REPORT_BROWSER:-}" = required ] && exit 1
   exit 77
 }
+[ "${DOB_REPORT_BROWSER:-}" != later ] || missing "run on its own, later"
 command -v node >/dev/null 2>&1 || missing "no node (Debian: nodejs)"
 for name in chromium chromium-browser google-chrome; do
   DOB_CHROMIUM=${DOB_CHROMIUM:-$(command -v $name || true)}
