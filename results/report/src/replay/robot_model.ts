@@ -11,6 +11,9 @@ import type { Link, Robot, Shape } from "../data";
 import type { Recording } from "./recording";
 
 const kLinkNames = ["hip", "upper", "lower"]; // of a leg, from the trunk outwards
+// What the description has no size for, as shares of a stretched leg.
+const kDrum = { radius: 0.068, length: 0.122 };
+const kRod = 0.0195; // radius
 
 interface Joint {
   frame: Object3D;
@@ -27,9 +30,11 @@ export class RobotModel {
   private readonly limb = new MeshStandardMaterial({ roughness: 0.6, metalness: 0.2 });
   private readonly joint = new MeshStandardMaterial({ roughness: 0.45, metalness: 0.3 });
   private readonly geometries: BufferGeometry[] = [];
+  private readonly leg: number; // [m] stretched
 
   constructor(robot: Robot) {
     this.legs = robot.feet.map((foot) => foot.leg);
+    this.leg = Math.max(...robot.feet.map((foot) => Math.hypot(...(robot.links[foot.link]?.origin ?? [])) + Math.hypot(...foot.center)));
     const frames: Object3D[] = [];
     for (const link of robot.links) {
       const frame = new Group();
@@ -95,7 +100,7 @@ export class RobotModel {
       signal: `${leg}/${kLinkNames[link.joint % 3]}/angle_rad`,
     });
     // A drive at the joint: a drum around its axis.
-    const drum = this.mesh(new CylinderGeometry(0.042, 0.042, 0.075, 28), this.joint);
+    const drum = this.mesh(new CylinderGeometry(kDrum.radius * this.leg, kDrum.radius * this.leg, kDrum.length * this.leg, 28), this.joint);
     drum.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), new Vector3().fromArray(link.axis).normalize());
     frame.add(drum);
   }
@@ -117,7 +122,7 @@ export class RobotModel {
     if (!cylinder || !frame) return;
     const to = new Vector3().fromArray(foot.center);
     const from = new Vector3().fromArray(cylinder.position);
-    const rod = this.mesh(new CylinderGeometry(0.012, 0.012, from.distanceTo(to), 16), this.joint);
+    const rod = this.mesh(new CylinderGeometry(kRod * this.leg, kRod * this.leg, from.distanceTo(to), 16), this.joint);
     rod.position.copy(from).lerp(to, 0.5);
     rod.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), to.sub(from).normalize());
     frame.add(rod);
