@@ -54,7 +54,9 @@ void finish_help(CLI::App& app) {
     for (const CommandExample& example : command_examples()) {
       if (example.command == command->get_name()) text += fmt::format("  {}\n      {}\n", example.line, example.what);
     }
-    if (!text.empty()) command->footer("Examples:\n" + text);
+    if (text.empty()) continue;
+    const std::string more = command->get_footer();
+    command->footer("Examples:\n" + text + (more.empty() ? "" : "\n" + more));
   }
 }
 

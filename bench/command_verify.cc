@@ -65,10 +65,6 @@ Command add_verify_command(CLI::App& app) {
       ->check(CLI::ExistingFile)
       ->type_name("FILE.so");
   command->footer(
-      "Examples:\n"
-      "  dobbench verify dobbench-results/0001 --sample 50\n"
-      "      fifty of its cells, drawn at random\n"
-      "\n"
       "Exit codes: 0 all equal (--across: no outcome flipped), 1 a difference, 2 bad input, or rows of another\n"
       "program or code path, 3 some cells could not be computed again, 130 and 143 stopped by a signal.");
   return [arguments] { return run(*arguments); };
