@@ -86,7 +86,8 @@ class Verify {
       if (options_.across) pairs_.emplace_back(run_.cells[cell], result);
       progress.add(result, again_[i].second.scenario->duration);
     };
-    result_.stop_signal = run_cells(keys, {options_.jobs, options_.timeout_s, kDefaultMemoryLimit_MB}, compute_one, done);
+    result_.stop_signal =
+        run_cells(keys, {options_.jobs, options_.timeout_s, kDefaultMemoryLimit_MB}, compute_one, done);
   }
 
   const VerifyOptions& options_;
