@@ -36,9 +36,9 @@ if(NOT DOB_SANITIZE)
   set(help_dir ${PROJECT_BINARY_DIR}/help)
   file(MAKE_DIRECTORY ${help_dir})
   add_custom_command(OUTPUT ${help_dir}/dobbench.1.gz ${help_dir}/dobbench ${help_dir}/_dobbench
-    COMMAND dobbench manual | gzip -9n >${help_dir}/dobbench.1.gz
-    COMMAND dobbench completion bash >${help_dir}/dobbench
-    COMMAND dobbench completion zsh >${help_dir}/_dobbench
+    COMMAND dobbench manual | gzip -9n > ${help_dir}/dobbench.1.gz
+    COMMAND dobbench completion bash > ${help_dir}/dobbench
+    COMMAND dobbench completion zsh > ${help_dir}/_dobbench
     DEPENDS dobbench VERBATIM)
   add_custom_target(dob_help ALL DEPENDS ${help_dir}/dobbench.1.gz)
   install(FILES ${help_dir}/dobbench.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)

@@ -33,7 +33,7 @@ against (CMake package dob, target dob::observer_api), and the rooms of
 dobbench: robot model, observers, controller, simulation, scenarios, results.")
 # Licences and changes where Debian looks for them.
 add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/changelog.gz DEPENDS ${PROJECT_SOURCE_DIR}/CHANGELOG.md VERBATIM
-  COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md >${PROJECT_BINARY_DIR}/changelog.gz)
+  COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md > ${PROJECT_BINARY_DIR}/changelog.gz)
 add_custom_target(dob_changelog ALL DEPENDS ${PROJECT_BINARY_DIR}/changelog.gz)
 foreach(package_and_component dobbench:program dobbench-dev:development)
   string(REPLACE ":" ";" pair ${package_and_component})
