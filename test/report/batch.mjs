@@ -1,4 +1,5 @@
-// The batch whose page is tested: real runs, a few seconds long, with falls, blocks, two profiles and two seeds.
+// The batch whose page is tested: real runs, a few seconds long, with falls, blocks, two robots, two profiles and two
+// seeds. All with the gains of one set, which the verdict shows together; quad12 would have its own.
 import { execFileSync } from "node:child_process";
 import { readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -6,7 +7,7 @@ import { join } from "node:path";
 const kRun = [
   "run", "case1/tip_lateral", "case1_no_swing/tip_lateral", "case5/plus_30", "case6", "quad12_case1/tip_lateral",
   ...["none", "momentum", "momentum_com"].flatMap((name) => ["--observer", name]),
-  "--profile", "paper", "--profile", "tuned", "--seeds", "2", "--set", "duration_s=4", "--jobs", "2",
+  "--gains", "paper", "--profile", "paper", "--profile", "tuned", "--seeds", "2", "--set", "duration_s=4", "--jobs", "2",
 ];
 
 function dobbench(program, args) {
