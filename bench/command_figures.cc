@@ -8,6 +8,7 @@
 #include "results/figures.h"
 #include "results/plain_files.h"
 #include "results/whole_file.h"
+#include "scenarios/input_error.h"
 
 namespace dob {
 namespace {
@@ -38,8 +39,12 @@ int draw(Arguments arguments) {
   const FigureSet set = load_figures(paper_figures_file());
   FigureCells cells(arguments.dir, read_run(arguments.dir), arguments.request);
   const std::vector<MadeFigure> figures = make_figures(set, cells);
-  write_figures(figures, arguments.format, arguments.out);
-  write_whole_file(arguments.out / "index.md", figure_index(figures, arguments.format, arguments.dir));
+  try {
+    write_figures(figures, arguments.format, arguments.out);
+    write_whole_file(arguments.out / "index.md", figure_index(figures, arguments.format, arguments.dir));
+  } catch (const WriteError& error) {  // nothing is lost
+    throw InputError(error.what());
+  }
   try {
     for (const MadeFigure& made : figures) {
       if (made.figure) run_gnuplot(arguments.out, made.spec->id + ".gp");

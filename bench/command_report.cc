@@ -8,6 +8,7 @@
 #include "bench/commands.h"
 #include "bench/number_between.h"
 #include "results/report.h"
+#include "results/whole_file.h"
 #include "scenarios/input_error.h"
 
 namespace dob {
@@ -27,9 +28,18 @@ fs::path page_file(const Arguments& arguments) {
   throw InputError(fmt::format("-o {}: allowed: a file name that ends in .html", arguments.out.string()));
 }
 
+// A place where no page can be is a wrong answer to -o: nothing is lost.
+ReportSummary write_page(const Arguments& arguments, const fs::path& file) {
+  try {
+    return write_report(arguments.dir, file, arguments.options);
+  } catch (const WriteError& error) {
+    throw InputError(error.what());
+  }
+}
+
 int run(const Arguments& arguments) {
   const fs::path file = page_file(arguments);
-  const ReportSummary summary = write_report(arguments.dir, file, arguments.options);
+  const ReportSummary summary = write_page(arguments, file);
   fmt::print("{}: {:.2f} MB, time series of {} cells\n", file.string(), 1e-6 * static_cast<double>(summary.bytes),
              summary.traces);
   for (const std::string& left_out : summary.left_out) fmt::print("left out: {}\n", left_out);

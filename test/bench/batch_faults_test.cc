@@ -170,7 +170,7 @@ TEST_F(BatchFaults, WithoutPermissionToWriteThereIsOneErrorAndReadingStillWorks)
   expect_one_line(again, {"run/run.lock: Permission denied"});
   EXPECT_EQ(anew.exit_code, 2);
   expect_one_line(anew, {"new: cannot create the directory: Permission denied"});
-  EXPECT_EQ(report.exit_code, 4);
+  EXPECT_EQ(report.exit_code, 2);
   expect_one_line(report, {"run/report.html: cannot be written"});
   EXPECT_EQ(read.out, expected) << read.err;
   expect_intact("run");
