@@ -1,8 +1,6 @@
 #include "results/run_plan.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
 
@@ -13,11 +11,14 @@
 #include "results/plain_files.h"
 #include "results/run_directory.h"
 #include "results/table_cells.h"
+#include "robot/text_input.h"
 
 namespace dob {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kMostBytes = 4 << 20;  // of a resolved scenario; the shipped ones have some 10 kB
 
 const std::vector<std::string> kBatchColumns{"date",     "command_line", "version", "commit_id", "build",
                                              "compiler", "flags",        "cpu",     "cores",     "os"};
@@ -220,9 +221,13 @@ ResolvedScenario read_resolved(const fs::path& dir, const std::string& name) {
   SQLite::Database database = open_database(dir);
   const std::map<std::string, std::string> hashes = scenario_hashes(dir, database);
   const fs::path file = dir / "scenarios" / (name + ".toml");
-  std::ifstream in(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in) throw StoreError(file.string() + ": cannot be read");
+  require_plain_file(file);
+  std::string text;
+  try {
+    text = read_text_file(file, kMostBytes);
+  } catch (const TextFileError& error) {
+    throw StoreError(fmt::format("{}: {}", file.string(), error.what()));
+  }
   const auto hash = hashes.find(name);
   if (hash == hashes.end() || hash->second != fingerprint(text)) {
     throw StoreError(file.string() + ": is not the scenario that the run began with");

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <sys/stat.h>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -179,7 +180,19 @@ TEST_F(VerifyCommand, WhatIsNoRunOrHasBeenChangedIsRefused) {
   std::ofstream(dir / "run/scenarios/undisturbed_paper.toml", std::ios::app) << "# innocent\n";
   expect_refused("verify run", {"undisturbed_paper.toml: is not the scenario that the run began with"});
   fs::remove(dir / "run/scenarios/undisturbed_paper.toml");
-  expect_refused("verify run", {"undisturbed_paper.toml: cannot be read"});
+  expect_refused("verify run", {"undisturbed_paper.toml: cannot be opened"});
+}
+
+// A run directory may come from anybody: what never ends is not waited for.
+TEST_F(VerifyCommand, AResolvedScenarioThatIsNoFileIsRefused) {
+  ASSERT_EQ(dobbench(std::string(kTwo) + "--out run").exit_code, 0);
+  const fs::path file = dir / "run/scenarios/undisturbed_paper.toml";
+  fs::remove(file);
+  fs::create_symlink("/dev/zero", file);
+  expect_refused("verify run", {"undisturbed_paper.toml: is a symbolic link"});
+  fs::remove(file);
+  ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
+  expect_refused("verify run", {"undisturbed_paper.toml: is a special file"});
 }
 
 TEST_F(VerifyCommand, TodaysScenariosAndProfilesDoNotMatterButTheRobotDoes) {
