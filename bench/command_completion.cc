@@ -52,6 +52,13 @@ std::vector<std::string> metrics() {
   return names;
 }
 
+// The sets, and the scenario's own.
+std::vector<std::string> gains() {
+  std::vector<std::string> names = list_gain_sets();
+  names.emplace_back("own");
+  return names;
+}
+
 std::vector<std::string> planners() {
   std::vector<std::string> names;
   for (const PlannerKind kind : {PlannerKind::kZmp, PlannerKind::kSpline, PlannerKind::kPaperSplit}) {
@@ -64,7 +71,7 @@ std::vector<std::string> planners() {
 
 int print_completions(const CLI::App& app, const std::vector<std::string>& words) {
   const NameSources names{{"scenario", scenarios}, {"observer", observers},      {"--observer", observers},
-                          {"--shadow", observers}, {"--profile", list_profiles}, {"--gains", list_gain_sets},
+                          {"--shadow", observers}, {"--profile", list_profiles}, {"--gains", gains},
                           {"--planner", planners}, {"--metric", metrics},        {"--reference", observers}};
   for (const std::string& word : completions(app, words, names)) fmt::print("{}\n", word);
   return kExitOk;

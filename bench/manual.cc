@@ -93,10 +93,13 @@ Done.
 A comparison or a verification says no.
 .TP
 .B 2
-Bad input, or something that is needed could not be read or written; one line on standard error says what and where.
+Bad input, or something that is needed could not be read; one line on standard error says what and where.
 .TP
 .B 3
 Some cells could not be run; they are rows of the table with their reason.
+.TP
+.B 4
+A run, or standard output, could not be written; what was finished is kept.
 .TP
 .B 130\fR, \fB143
 Stopped by SIGINT or SIGTERM; \fBdobbench run \-\-resume\fR goes on.
