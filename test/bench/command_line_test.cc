@@ -216,7 +216,7 @@ TEST_F(CommandLine, CheckSaysWhatEveryFileIsAndWhatIsWrong) {
   std::ofstream(dir / "robot.urdf") << "<robot name=\"r\"></robot>";
   std::ofstream(dir / "tall.toml") << "base = \"undisturbed\"\nplanner.com_height_m = 0.9\n";
   expect_refused("check mine.toml", {"mine.toml:2:1", "momentun"});
-  expect_refused("check profile.toml", {"profile.toml:3:", "linear_gain_rad"});
+  expect_refused("check profile.toml", {"profile.toml:4:1", "linear_gain_rad"});
   expect_refused("check robot.urdf", {"robot.urdf"});
   expect_refused("check tall.toml", {"tall", "cannot reach"});
   expect_refused("check notes.txt", {"notes.txt", ".urdf"});
