@@ -16,6 +16,9 @@
 #include <gnu/libc-version.h>
 #endif
 #if defined(__GLIBC__) && defined(__x86_64__) && __has_include(<sys/platform/x86.h>)
+#if defined(__clang__)
+#define _Bool bool  // NOLINT: the header's own name for it, which clang does not know in C++ without extensions
+#endif
 #include <sys/platform/x86.h>
 #define DOB_GLIBC_CPU_FEATURES
 #endif
