@@ -152,12 +152,17 @@ ObserverInfo find_observer_or_pair(std::string_view name, const Place& place) {
 // nullptr: none of them.
 const Node* named_by(const std::string& error, const Node& table, const std::string& path = "") {
   const auto says = [&error](const std::string& text) { return error.find(text) != std::string::npos; };
+  // The first one: what follows may repeat a value, and that may be any text.
+  const std::size_t named = error.find(": option ");
+  const auto names = [&error, named](const std::string& key) {
+    return named != std::string::npos && error.substr(named).starts_with(fmt::format(": option {} = ", key));
+  };
   for (const Entry& e : std::get<Table>(table.value)) {
     if (std::holds_alternative<Table>(e.node.value)) {
       const bool other_part = says(", part ") && !says(fmt::format(", part {}: ", e.key));
       const Node* found = other_part ? nullptr : named_by(error, e.node, fmt::format("{}{}.", path, e.key));
       if (found != nullptr) return found;
-    } else if (says(fmt::format(": option {} = ", e.key)) || says(fmt::format(": option {}{} = ", path, e.key))) {
+    } else if (names(e.key) || names(path + e.key)) {
       return &e.node;
     }
   }

@@ -384,5 +384,15 @@ TEST_F(OwnProfile, IsRefusedAtItsLine) {
   EXPECT_THAT(error_in("[momentum\n"), StartsWith(path_ + ":1:10: "));
 }
 
+// Found by fuzzing: the place was that of the profile's key which the value speaks of.
+TEST(LoadObserver, AValueThatSpeaksOfAnotherOptionIsRefusedAtItsOwnPlace) {
+  try {
+    load_observer("momentum:gains=1: option wrench_source = 1", "tuned");
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("--observer ")) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace dob
