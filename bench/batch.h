@@ -2,6 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "bench/batch_plan.h"
 
@@ -31,10 +35,20 @@ struct BatchSummary {
   int stop_signal = 0;     // SIGINT or SIGTERM ended the batch; 0: it is complete
 };
 
+// Of a plan that is not run as a whole, the cells that are wanted next: from the outcomes of those that were wanted so
+// far (nullopt: was not) and nothing else, so that a batch that was interrupted, or divided, chooses as one that was
+// not. None: it is complete.
+struct CellChoice {
+  std::function<std::vector<std::size_t>(const std::vector<std::optional<Outcome>>&)> next;
+  std::size_t most = 0;  // cells that it will want at most
+};
+
 // The results do not depend on jobs, nor on whether the batch was interrupted and resumed. Throws StoreError when the
 // run directory cannot be made, holds another run, or is being written by another process; WriteError when it cannot be
 // written any more: what was finished by then is kept.
 BatchSummary run_batch(const BatchPlan& plan, const BatchOptions& options);
+// The same of the cells that are chosen.
+BatchSummary run_batch(const BatchPlan& plan, const BatchOptions& options, const CellChoice& choice);
 
 // What the run directory says about this program, machine and plan.
 RunInfo run_info(const BatchPlan& plan, const std::string& command_line);

@@ -191,9 +191,11 @@ BatchPlan plan_batch(const BatchRequest& request) {
         require_room(plan, request, observers.size());
         for (const ObserverConfig& observer : observers) {
           require_one_meaning(observer, called);
+          plan.observers.push_back({observer, without(shadows, observer)});
           for (long seed = request.first_seed; seed <= request.last_seed; ++seed) {
             const CellKey key = key_of(scenario, observer, gains, wanted, static_cast<int>(seed));
-            if (planned.insert(key).second) plan.cells.push_back({key, index, observer, without(shadows, observer)});
+            if (!planned.insert(key).second) continue;
+            plan.cells.push_back({key, index, plan.observers.size() - 1, seed == request.first_seed});
           }
         }
       }

@@ -1,9 +1,11 @@
 // From what the user asks for to the cells of a batch. Everything is resolved and checked before the first cell runs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "results/campaign.h"
 #include "results/cell.h"
 #include "results/store.h"
 #include "scenarios/scenario.h"
@@ -24,18 +26,28 @@ struct BatchRequest {
   int last_seed = 1;
 };
 
+// The observer in the loop of a cell, and those that watch it.
+struct PlannedObserver {
+  ObserverConfig observer;
+  std::vector<ObserverConfig> shadows = {};  // without the observer in the loop
+};
+
 struct PlannedCell {
   CellKey key;
   std::size_t scenario = 0;  // index into BatchPlan::scenarios
-  ObserverConfig observer;
-  std::vector<ObserverConfig> shadows = {};  // without the cell's own observer
+  std::size_t observer = 0;  // index into BatchPlan::observers
+  bool first_seed = true;    // of its row in the tables
 };
 
 struct BatchPlan {
   std::vector<Scenario> scenarios;         // one for each scenario, variant and gain set
   std::vector<ResolvedScenario> resolved;  // their resolved files, for the run directory
+  std::vector<PlannedObserver> observers;  // of all cells
   std::vector<PlannedCell> cells;          // in the order of the tables; no cell twice
   std::vector<std::string> warnings;       // what can be run and is hardly meant: late_loads()
+  std::optional<Campaign> campaign;        // what the cells are the plan of, if they are
+  std::vector<long> ids;                   // places in the whole plan, from 1, of a shard's cells; empty: all are here
+  RunShard shard;                          // take_shard() of bench/shard.h; planned = 0: not yet known
 };
 
 // The observers of a list "NAME[:key=value,...],NAME,...": a part with an '=' and no ':' before it is an option of the

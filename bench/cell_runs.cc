@@ -34,9 +34,10 @@ CellResult result_from(const CellKey& key, const TaskOutcome& outcome) {
 
 }  // namespace
 
-CellResult run_cell(const Scenario& scenario, const PlannedCell& cell, const Trial::Sink& sink) {
-  CellResult result = Trial(scenario, cell.observer, cell.key.seed, cell.shadows).run(sink);
-  result.key = cell.key;
+CellResult run_cell(const CellKey& key, const Scenario& scenario, const PlannedObserver& observer,
+                    const Trial::Sink& sink) {
+  CellResult result = Trial(scenario, observer.observer, key.seed, observer.shadows).run(sink);
+  result.key = key;
   return result;
 }
 

@@ -12,8 +12,9 @@
 
 namespace dob {
 
-// The cell's trial in the calling process, under the cell's key. Throws as Trial does.
-CellResult run_cell(const Scenario& scenario, const PlannedCell& cell, const Trial::Sink& sink = {});
+// The cell's trial in the calling process, under its key. Throws as Trial does.
+CellResult run_cell(const CellKey& key, const Scenario& scenario, const PlannedObserver& observer,
+                    const Trial::Sink& sink = {});
 
 // `compute(i)` in a process of its own for each of `keys`, and `done(i, result)` in this one, in the order in which
 // they end. A cell whose process comes to no result, for whatever reason, is a row of outcome kError with that reason.

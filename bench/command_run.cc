@@ -14,6 +14,7 @@
 #include "bench/commands.h"
 #include "bench/number_between.h"
 #include "bench/plugin_consent.h"
+#include "bench/shard.h"
 #include "bench/shell_words.h"
 #include "results/table.h"
 #include "results/whole_file.h"
@@ -35,6 +36,7 @@ struct Arguments {
   std::vector<std::filesystem::path> plugins;  // of the run that is gone on with
   std::string seeds = "1";
   std::string log = "none";
+  std::string shard = "1/1";
   bool claims = false;
   Keep keep = Keep::kFirstSeed;
 };
@@ -111,6 +113,7 @@ void take_plan_of_run(Arguments& arguments, const CLI::App& command) {
   if (command.count("--log-rate") == 0) arguments.options.log_rate = stored.options.log_rate;
   arguments.request = std::move(stored.request);
   arguments.seeds = std::move(stored.seeds);
+  arguments.shard = std::move(stored.shard);
 }
 
 void warn(const std::vector<std::string>& warnings) {
@@ -137,7 +140,8 @@ int run(Arguments& arguments, const CLI::App& command) {
   arguments.options.keep = arguments.keep;
   arguments.options.progress = ::isatty(STDERR_FILENO) == 1;
   try_plugins(arguments.request);
-  const BatchPlan plan = plan_batch(arguments.request);
+  BatchPlan plan = plan_batch(arguments.request);
+  take_shard(plan, parse_shard(arguments.shard));
   warn(plan.warnings);
   const BatchSummary summary = run_or_say_how_to_go_on(plan, arguments.options);
   const Run finished = read_run(summary.dir);
@@ -171,6 +175,8 @@ CLI::App* add_options(CLI::App& app, Arguments* arguments) {
   command->add_option("--planner", request.planner, "planner of the motion (default: the scenario's)");
   command->add_option("--seeds", arguments->seeds, "N for the seeds 1 to N, or A..B (default 1)");
   command->add_option("--set", request.overrides, "KEY=VALUE laid over every scenario")->allow_extra_args(false);
+  command->add_option("--shard", arguments->shard, "only part I of N of the cells, to be merged with the others later")
+      ->type_name("I/N");
   command->add_option("--jobs", options.jobs, "cells at a time (default: the cores)")->check(CLI::Range(1, 1024));
   CLI::Option* out =
       command->add_option("--out", options.out, "run directory, new or empty (default dobbench-results/NNNN)");

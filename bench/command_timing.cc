@@ -68,7 +68,8 @@ int measure(const BatchPlan& plan, double seconds, RunStore* store) {
   const std::vector<PlannedCell> cells = first_seeds(plan);
   int failed = 0;
   const auto task = [&](std::size_t i) {
-    return timing_to_line(time_cell(plan.scenarios[cells[i].scenario], cells[i], seconds));
+    const ObserverConfig& observer = plan.observers[cells[i].observer].observer;
+    return timing_to_line(time_cell(cells[i].key, plan.scenarios[cells[i].scenario], observer, seconds));
   };
   const auto done = [&](std::size_t i, const TaskOutcome& outcome) {
     CellTiming timing;

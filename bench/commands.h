@@ -28,12 +28,14 @@ using Command = std::function<int()>;
 BatchRequest request_of_run(const std::filesystem::path& dir, const std::vector<std::filesystem::path>& plugins);
 
 Command add_analyse_command(CLI::App& app);
+Command add_campaign_command(CLI::App& app, const std::string& command_line);
 Command add_check_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
 Command add_completion_command(CLI::App& app);
 Command add_figures_command(CLI::App& app);
 Command add_list_command(CLI::App& app);
 Command add_manual_command(CLI::App& app);
+Command add_merge_command(CLI::App& app);
 Command add_report_command(CLI::App& app);
 Command add_run_command(CLI::App& app, const std::string& command_line);
 Command add_table_command(CLI::App& app);

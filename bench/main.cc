@@ -35,12 +35,14 @@ int run(int argc, char** argv) {
                                                 build.build_type, build.compiler));
   const std::map<std::string, dob::Command> commands{
       {"analyse", dob::add_analyse_command(app)},
+      {"campaign", dob::add_campaign_command(app, command_line(argc, argv))},
       {"check", dob::add_check_command(app)},
       {"compare", dob::add_compare_command(app)},
       {"completion", dob::add_completion_command(app)},
       {"figures", dob::add_figures_command(app)},
       {"list", dob::add_list_command(app)},
       {"manual", dob::add_manual_command(app)},
+      {"merge", dob::add_merge_command(app)},
       {"report", dob::add_report_command(app)},
       {"run", dob::add_run_command(app, command_line(argc, argv))},
       {"table", dob::add_table_command(app)},

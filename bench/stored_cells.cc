@@ -48,16 +48,16 @@ StoredCells::StoredCells(fs::path dir, const RunInfo& info, const std::vector<fs
 StoredCell StoredCells::of(const CellResult& row) {
   const auto source = sources_.find(row.key);
   if (source == sources_.end()) throw StoreError(dir_.string() + ": a cell that does not belong to the run");
-  StoredCell stored{{row.key, 0, {}, {}}, nullptr, {}};
+  StoredCell stored{row.key, {}, nullptr, {}};
   try {
     const Loaded& loaded = scenario_of(source->second.scenario);
     if (!loaded.scenario) throw Obstacle{loaded.obstacle};
     stored.scenario = &*loaded.scenario;
     StoredObservers observers = read_observer_toml(source->second.observer, (dir_ / "run.sqlite").string());
     take_plugins(observers.observer, source->second.observer);
-    stored.cell.observer = std::move(observers.observer);
-    stored.cell.observer.profile = row.key.profile;
-    stored.cell.observer.label = row.key.observer;
+    stored.observer.observer = std::move(observers.observer);
+    stored.observer.observer.profile = row.key.profile;
+    stored.observer.observer.label = row.key.observer;
     for (std::size_t i = 0; i < observers.shadows.size(); ++i) {
       ObserverConfig& shadow = observers.shadows[i];
       take_plugins(shadow, source->second.observer);
@@ -65,7 +65,7 @@ StoredCell StoredCells::of(const CellResult& row) {
         shadow.label = row.shadows[i].observer;
         shadow.profile = row.shadows[i].profile;
       }
-      stored.cell.shadows.push_back(std::move(shadow));
+      stored.observer.shadows.push_back(std::move(shadow));
     }
   } catch (const Obstacle& obstacle) {
     stored.obstacle = obstacle.reason;

@@ -14,7 +14,8 @@
 namespace dob {
 
 struct StoredCell {
-  PlannedCell cell;  // its index `scenario` has no meaning
+  CellKey key;
+  PlannedObserver observer;
   const Scenario* scenario = nullptr;
   std::string obstacle;  // why it cannot be computed again; "" when it can
 };

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <set>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -24,9 +23,9 @@ std::vector<double> without_warm_up(const std::vector<double>& samples, double p
 
 }  // namespace
 
-CellTiming time_cell(const Scenario& scenario, const PlannedCell& cell, double seconds) {
+CellTiming time_cell(const CellKey& key, const Scenario& scenario, const ObserverConfig& observer, double seconds) {
   const double duration = seconds > 0.0 ? std::min(seconds, scenario.duration) : scenario.duration;
-  Trial trial(scenario, cell.observer, cell.key.seed);
+  Trial trial(scenario, observer, key.seed);
   const long ticks = std::lround(duration / scenario.sim.dt);
   TickClock clock(static_cast<std::size_t>(ticks));
   trial.time_ticks(clock);
@@ -36,7 +35,7 @@ CellTiming time_cell(const Scenario& scenario, const PlannedCell& cell, double s
   const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const std::vector<double> tick = without_warm_up(clock.tick_us(), 1.0 / scenario.sim.dt);
   const std::vector<double> qp = without_warm_up(clock.qp_us(), scenario.controller.qp_rate);
-  return {.key = cell.key,
+  return {.key = key,
           .tick_p50_us = median(tick),
           .tick_p99_us = quantile(tick, 0.99),
           .tick_max_us = quantile(tick, 1.0),
@@ -50,11 +49,8 @@ CellTiming time_cell(const Scenario& scenario, const PlannedCell& cell, double s
 
 std::vector<PlannedCell> first_seeds(const BatchPlan& plan) {
   std::vector<PlannedCell> first;
-  std::set<CellKey> rows;
   for (const PlannedCell& cell : plan.cells) {
-    CellKey row = cell.key;
-    row.seed = 0;
-    if (rows.insert(row).second) first.push_back(cell);
+    if (cell.first_seed) first.push_back(cell);
   }
   return first;
 }

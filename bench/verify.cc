@@ -75,11 +75,14 @@ class Verify {
     std::vector<CellKey> keys;
     double cost = 0.0;
     for (const auto& [cell, stored] : again_) {
-      keys.push_back(stored.cell.key);
+      keys.push_back(stored.key);
       cost += stored.scenario->duration;
     }
     Progress progress(sample_.size(), verdicts_.size(), cost, options_.progress);
-    const auto compute_one = [&](std::size_t i) { return run_cell(*again_[i].second.scenario, again_[i].second.cell); };
+    const auto compute_one = [&](std::size_t i) {
+      const StoredCell& stored = again_[i].second;
+      return run_cell(stored.key, *stored.scenario, stored.observer);
+    };
     const auto done = [&](std::size_t i, const CellResult& result) {
       const std::size_t cell = again_[i].first;
       verdicts_[cell] = verified(run_.cells[cell], result);

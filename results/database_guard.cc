@@ -21,8 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 9> kTables{
-    "batch", "scenario", "observer", "cell", "result", "checkpoint", "shadow", "timing", "timing_histogram"};
+constexpr std::array<std::string_view, 12> kTables{
+    "batch",  "scenario", "observer",         "cell",  "result",   "checkpoint",
+    "shadow", "timing",   "timing_histogram", "shard", "campaign", "campaign_cell"};
 constexpr std::string_view kView = "overview";
 
 // Words with which a table's columns do more than hold values.
@@ -80,13 +81,13 @@ void require_harmless_files(const fs::path& file) {
   }
 }
 
-void distrust(SQLite::Database& database) {
+void distrust(SQLite::Database& database, int attached) {
   sqlite3* handle = database.getHandle();
   sqlite3_db_config(handle, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
   sqlite3_db_config(handle, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
-  sqlite3_limit(handle, SQLITE_LIMIT_ATTACHED, 0);
+  sqlite3_limit(handle, SQLITE_LIMIT_ATTACHED, attached);
   database.exec("PRAGMA cell_size_check = ON; PRAGMA mmap_size = 0;");
 }
 

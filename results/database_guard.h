@@ -14,8 +14,9 @@ namespace dob {
 // names another file, or if there is a write-ahead log.
 void require_harmless_files(const std::filesystem::path& file);
 
-// Right after it has been opened: no triggers, no views, nothing attached, no function that has an effect in a schema.
-void distrust(SQLite::Database& database);
+// Right after it has been opened: no triggers, no views, no more than `attached` others attached, no function that has
+// an effect in a schema.
+void distrust(SQLite::Database& database, int attached = 0);
 
 // Throws StoreError for whatever is in the schema that no dobbench puts there, and if SQLite's own check finds it
 // damaged.

@@ -13,11 +13,22 @@
 
 namespace dob {
 
-// FNV-1a, 64 bits, as 16 hexadecimal digits.
+// FNV-1a, 64 bits, of all that has been added, as 16 hexadecimal digits.
+class Fingerprint {
+ public:
+  void add(std::string_view text) noexcept {
+    for (const char c : text) hash_ = (hash_ ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  }
+  std::string text() const { return fmt::format("{:016x}", hash_); }
+
+ private:
+  std::uint64_t hash_ = 0xcbf29ce484222325ULL;
+};
+
 inline std::string fingerprint(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-  return fmt::format("{:016x}", hash);
+  Fingerprint fingerprint;
+  fingerprint.add(text);
+  return fingerprint.text();
 }
 
 // Of the bytes of a file. Throws std::runtime_error when it cannot be read.

@@ -1,6 +1,7 @@
 #include "results/run_database.h"
 
 #include <cmath>
+#include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,6 +29,12 @@ CREATE TABLE cell(id INTEGER PRIMARY KEY, scenario TEXT, variant TEXT, observer 
                   UNIQUE(scenario, variant, observer, profile, gains, planner, overrides, seed));
 )";
 
+constexpr const char* kShardTables = R"(
+CREATE TABLE shard(number INTEGER PRIMARY KEY, shards INTEGER, planned INTEGER, plan TEXT, complete INTEGER);
+CREATE TABLE campaign(document TEXT);
+CREATE TABLE campaign_cell(cell INTEGER PRIMARY KEY, curve INTEGER, level_0 INTEGER, level_1 INTEGER);
+)";
+
 constexpr const char* kOverview = R"(
 CREATE VIEW overview AS
   SELECT cell.*, scenario.file AS scenario_file, scenario.hash AS scenario_hash, observer.options AS observer_options,
@@ -46,9 +53,9 @@ void require_version(SQLite::Database& database, const fs::path& file) {
   const int id = database.execAndGet("PRAGMA application_id").getInt();
   const int version = database.execAndGet("PRAGMA user_version").getInt();
   if (id != kApplicationId) throw StoreError(file.string() + ": is not the database of a run");
-  if (version == kStoreVersion) return;
-  throw StoreError(fmt::format("{}: store of version {}, this program reads version {}: it was written by {} dobbench",
-                               file.string(), version, kStoreVersion,
+  if (version >= kOldestVersion && version <= kStoreVersion) return;
+  throw StoreError(fmt::format("{}: store of version {}, this program reads {} to {}: it was written by {} dobbench",
+                               file.string(), version, kOldestVersion, kStoreVersion,
                                version > kStoreVersion ? "a newer" : "an older"));
 }
 
@@ -59,6 +66,7 @@ SQLite::Database create_database(const fs::path& file) {
   SQLite::Transaction transaction(database);
   database.exec(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};", kApplicationId, kStoreVersion));
   database.exec(kTables);
+  database.exec(kShardTables);
   database.exec(create_table("result", result_columns(), "cell"));
   database.exec(
       create_table("checkpoint", with_columns({"cell", "number", "t_s"}, kCheckpointColumns), "cell, number"));
@@ -89,6 +97,13 @@ SQLite::Database open_database(const fs::path& dir) {
     require_sound(database, file);
     return database;
   });
+}
+
+Outcome outcome_from(const std::string& name) {
+  for (std::size_t i = 0; i < kOutcomes.size(); ++i) {
+    if (kOutcomes[i] == name) return static_cast<Outcome>(i);
+  }
+  throw std::invalid_argument(fmt::format("outcome '{}', allowed: {}", name, fmt::join(kOutcomes, ", ")));
 }
 
 RowBinder& RowBinder::add(const std::string& text) {

@@ -5,13 +5,16 @@
 //               on with
 //   scenario    resolved scenarios: file name, hash of the text
 //   observer    resolved options and routing of the observers
-//   cell        the planned cells; id = place in the tables, from 1
+//   cell        the planned cells; id = place in the tables, from 1, of the whole plan in a shard too
 //   result      what became of a cell; its metrics are the fields of results/metric_fields.h
 //   checkpoint  metrics of a cell up to a moment
 //   shadow      observers that ran along
 //   timing      of a serial pass
 //   timing_histogram  how the tick and QP times of that pass are distributed; made with the first timing, so that runs
 //                     from before it was kept are of the same version and simply have none
+//   shard       which parts of the plan this is, and of what plan; one row, several after a merge
+//   campaign    what a campaign asks, as JSON (results/campaign_store.cc); no row in a run that is none
+//   campaign_cell  curve and levels of a campaign's cells
 //   overview    (view) everything that is known of a cell as one row
 //
 // The journal is SQLite's rollback journal, not the write-ahead log: a run at rest is one file, which can be copied and
@@ -31,7 +34,8 @@
 
 namespace dob {
 
-inline constexpr int kStoreVersion = 2;  // PRAGMA user_version
+inline constexpr int kStoreVersion = 3;   // PRAGMA user_version
+inline constexpr int kOldestVersion = 2;  // that can still be read: without the tables of shards and campaigns
 inline constexpr const char* kDatabaseFile = "run.sqlite";
 
 // A column of numbers and the field that it holds.
@@ -82,6 +86,7 @@ inline constexpr const char* kHistogramTable = "timing_histogram";
 inline const std::vector<std::string> kHistogramColumns{"cell", "quantity", "low_us", "high_us", "count"};
 
 inline constexpr std::array<std::string_view, 3> kOutcomes{"survived", "fell", "error"};  // of Outcome
+Outcome outcome_from(const std::string& name);  // throws std::invalid_argument
 
 // Makes the database `file` with its tables, empty.
 SQLite::Database create_database(const std::filesystem::path& file);

@@ -19,8 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kUnfinished = "run.sqlite.part";  // the database until it is complete
-
 [[noreturn]] void fail(const fs::path& path, const std::string& what, int error = errno) {
   throw StoreError(fmt::format("{}: {}: {}", path.string(), what, std::generic_category().message(error)));
 }

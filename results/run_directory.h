@@ -8,6 +8,8 @@
 
 namespace dob {
 
+inline constexpr const char* kUnfinished = "run.sqlite.part";  // the database until it is complete
+
 // All of these throw StoreError.
 void check_names(const std::vector<ResolvedScenario>& scenarios);
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "results/campaign_store.h"
 #include "results/fingerprint.h"
 #include "results/plain_files.h"
 #include "results/run_directory.h"
@@ -17,8 +19,6 @@ namespace dob {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t kMostBytes = 4 << 20;  // of a resolved scenario; the shipped ones have some 10 kB
 
 const std::vector<std::string> kBatchColumns{"date",     "command_line", "version", "commit_id", "build",
                                              "compiler", "flags",        "cpu",     "cores",     "os"};
@@ -120,6 +120,23 @@ void require_same_sources(const fs::path& dir, const RunInfo& run, const RunInfo
   }
 }
 
+std::vector<long> ids_of(const RunInfo& info) {
+  if (!info.ids.empty()) return info.ids;
+  std::vector<long> ids(info.cells.size());
+  std::iota(ids.begin(), ids.end(), 1L);
+  return ids;
+}
+
+std::string describe(const std::vector<RunShard>& shards) {
+  return shards.size() == 1 ? fmt::format("shard {}/{}", shards.front().number, shards.front().count) : "a merged run";
+}
+
+void require_same_shard(const fs::path& dir, const RunInfo& run, const RunInfo& now) {
+  const auto same = [](const RunShard& a, const RunShard& b) { return a.number == b.number && a.count == b.count; };
+  if (std::equal(run.shards.begin(), run.shards.end(), now.shards.begin(), now.shards.end(), same)) return;
+  refuse(dir, fmt::format("it is {}, not {}", describe(run.shards), describe(now.shards)));
+}
+
 // Names go to terminals and into pages.
 void require_printable(const std::string& name) {
   if (on_one_line(name) == name && name.find('\x7f') == std::string::npos) return;
@@ -134,17 +151,44 @@ void write_plan(SQLite::Database& database, const RunInfo& info, const std::vect
   for (const ResolvedScenario& scenario : scenarios) scenario_ids.id_of(scenario.name, {fingerprint(scenario.toml)});
   Names observer_ids(database, "observer", {"options"});
   std::vector<std::string> columns = kKeyColumns;
+  columns.insert(columns.begin(), "id");
   const bool sourced = !info.sources.empty();
   if (sourced) columns.insert(columns.end(), {"scenario_id", "observer_id"});
   SQLite::Statement insert(database, insert_into("cell", columns));
+  const std::vector<long> ids = ids_of(info);
   for (std::size_t i = 0; i < info.cells.size(); ++i) {
     RowBinder row(insert);
-    row.add(info.cells[i]);
+    row.add(ids[i]).add(info.cells[i]);
     if (sourced) {
       row.add(scenario_ids.id_of(info.sources[i].scenario)).add(observer_ids.id_of(info.sources[i].observer));
     }
     insert.exec();
   }
+  for (const RunShard& shard : info.shards) write_shard(database, shard);
+  if (info.campaign) write_campaign(database, *info.campaign, ids);
+}
+
+void write_shard(SQLite::Database& database, const RunShard& shard) {
+  SQLite::Statement insert(database, insert_into("shard", kShardColumns));
+  RowBinder(insert)
+      .add(static_cast<long>(shard.number))
+      .add(static_cast<long>(shard.count))
+      .add(static_cast<long>(shard.planned))
+      .add(shard.plan)
+      .add(static_cast<long>(shard.complete));
+  insert.exec();
+}
+
+std::vector<RunShard> read_shards(SQLite::Database& database) {
+  std::vector<RunShard> shards;
+  if (columns_of(database, "shard").empty()) return shards;
+  SQLite::Statement row(database, fmt::format("SELECT {} FROM shard ORDER BY number", fmt::join(kShardColumns, ", ")));
+  while (row.executeStep()) {
+    shards.push_back({row.getColumn(0).getInt(), row.getColumn(1).getInt(),
+                      static_cast<std::size_t>(row.getColumn(2).getInt64()), row.getColumn(3).getString(),
+                      row.getColumn(4).getInt() != 0});
+  }
+  return shards;
 }
 
 long add_batch(SQLite::Database& database, const RunInfo& now) {
@@ -173,13 +217,15 @@ RunInfo read_info(SQLite::Database& database) {
   if (!batch.executeStep()) throw std::runtime_error("has no batch");
   const auto text = [](const SQLite::Statement& row, int i) { return row.getColumn(i).getString(); };
   RunInfo info = batch_of(batch);
-  SQLite::Statement cell(database,
-                         fmt::format("SELECT cell.{}, file, options FROM cell LEFT JOIN scenario ON scenario.id = "
-                                     "scenario_id LEFT JOIN observer ON observer.id = observer_id ORDER BY cell.id",
-                                     fmt::join(kKeyColumns, ", cell.")));
+  info.shards = read_shards(database);
+  SQLite::Statement cell(
+      database, fmt::format("SELECT cell.{}, file, options, cell.id FROM cell LEFT JOIN scenario ON scenario.id = "
+                            "scenario_id LEFT JOIN observer ON observer.id = observer_id ORDER BY cell.id",
+                            fmt::join(kKeyColumns, ", cell.")));
   while (cell.executeStep()) {
     info.cells.push_back({text(cell, 0), text(cell, 1), text(cell, 2), text(cell, 3), text(cell, 4), text(cell, 5),
                           text(cell, 6), cell.getColumn(7).getInt()});
+    info.ids.push_back(cell.getColumn(10).getInt64());
     for (int i = 0; i < 6; ++i) require_printable(text(cell, i));
     if (cell.getColumn(8).isNull()) continue;
     if (!is_plain_name(text(cell, 8))) {
@@ -224,7 +270,7 @@ ResolvedScenario read_resolved(const fs::path& dir, const std::string& name) {
   require_plain_file(file);
   std::string text;
   try {
-    text = read_text_file(file, kMostBytes);
+    text = read_text_file(file, kMostScenarioBytes);
   } catch (const TextFileError& error) {
     throw StoreError(fmt::format("{}: {}", file.string(), error.what()));
   }
@@ -245,6 +291,7 @@ void require_same_program(const fs::path& dir, const RunInfo& now) {
 void require_same_plan(const fs::path& dir, const RunInfo& now, const std::vector<ResolvedScenario>& scenarios) {
   SQLite::Database database = open_database(dir);
   const RunInfo run = read_info_of(dir, database);
+  require_same_shard(dir, run, now);
   if (run.cells != now.cells) {
     const std::string differences =
         describe_missing(now.cells, run.cells, "of the cells asked for do not belong to it") +

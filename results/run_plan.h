@@ -11,8 +11,15 @@
 
 namespace dob {
 
+inline constexpr std::size_t kMostScenarioBytes = 4 << 20;  // of a resolved one; the shipped ones have some 10 kB
+
 // Cells, scenarios and observers of a new run.
 void write_plan(SQLite::Database& database, const RunInfo& info, const std::vector<ResolvedScenario>& scenarios);
+
+// A row of `shard`, in place of one with its number.
+void write_shard(SQLite::Database& database, const RunShard& shard);
+std::vector<RunShard> read_shards(SQLite::Database& database);
+inline const std::vector<std::string> kShardColumns{"number", "shards", "planned", "plan", "complete"};
 
 // A row of `batch`; returns its id.
 long add_batch(SQLite::Database& database, const RunInfo& now);

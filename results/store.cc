@@ -150,20 +150,22 @@ void RunStore::append(const CellTiming& timing) {
   });
 }
 
-std::vector<CellState> RunStore::states() {
+std::vector<std::optional<Outcome>> RunStore::outcomes() {
   const std::lock_guard guard(impl_->mutex);
   return with_database(impl_->dir / kDatabaseFile, [&] {
-    std::vector<CellState> states;
+    std::vector<std::optional<Outcome>> outcomes;
     SQLite::Statement query(impl_->database,
                             "SELECT outcome FROM cell LEFT JOIN result ON result.cell = cell.id ORDER BY cell.id");
     while (query.executeStep()) {
       const SQLite::Column outcome = query.getColumn(0);
-      states.push_back(outcome.isNull()                 ? CellState::kPending
-                       : outcome.getString() == "error" ? CellState::kError
-                                                        : CellState::kDone);
+      outcomes.push_back(outcome.isNull() ? std::nullopt : std::optional(outcome_from(outcome.getString())));
     }
-    return states;
+    return outcomes;
   });
+}
+
+void RunStore::complete() {
+  impl_->write([&] { impl_->database.exec("UPDATE shard SET complete = 1"); });
 }
 
 const fs::path& RunStore::dir() const noexcept {

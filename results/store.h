@@ -11,10 +11,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "results/campaign.h"
 #include "results/cell.h"
 #include "results/code_path.h"
 #include "results/machine.h"
@@ -27,14 +29,25 @@ struct CellSource {
   std::string observer;  // how it is made, options and routing resolved: observer_toml() of scenarios/loader.h
 };
 
+// A part of a plan that is computed by itself (--shard), or all of it: number 1 of 1.
+struct RunShard {
+  int number = 1, count = 1;
+  std::size_t planned = 0;  // cells of the whole plan
+  std::string plan;         // fingerprint of the whole plan: shards of one plan can be merged (results/merge.h)
+  bool complete = false;    // what belongs to it has been run to the end
+};
+
 struct RunInfo {
   std::string command_line;
   std::string version, commit, build, compiler, flags;
   Machine machine;
-  std::string date;                      // UTC, ISO 8601
-  std::vector<CellKey> cells;            // all that belong to the run, in the order of its tables
-  std::vector<CellSource> sources = {};  // of the cells, in their order; or empty
-  CodePath code_path = {};               // its fields are "" in a run from before they were kept
+  std::string date;                       // UTC, ISO 8601
+  std::vector<CellKey> cells;             // all that belong to the run, in the order of its tables
+  std::vector<CellSource> sources = {};   // of the cells, in their order; or empty
+  CodePath code_path = {};                // its fields are "" in a run from before they were kept
+  std::vector<long> ids = {};             // places of the cells in the whole plan, from 1, increasing; empty: 1, 2, ...
+  std::vector<RunShard> shards = {};      // one, several after a merge, none in a run from before they were kept
+  std::optional<Campaign> campaign = {};  // to be stored with the plan; what is read has none: read_campaign()
 
   Provenance provenance() const { return {version, commit, build, compiler, flags, code_path}; }
 };
@@ -52,9 +65,6 @@ struct Run {
   std::vector<Provenance> programs = {};     // that have computed the cells
   std::vector<std::size_t> program_of = {};  // of each of `cells`: index into `programs`
 };
-
-// What has become of a planned cell.
-enum class CellState { kPending, kDone, kError };
 
 // what() begins with the path of the file or directory.
 class StoreError : public std::runtime_error {
@@ -89,8 +99,11 @@ class RunStore {
   void append(const CellResult& cell);
   void append(const CellTiming& timing);
 
-  // One for each planned cell, in their order.
-  std::vector<CellState> states();
+  // How each planned cell ended, in their order; nullopt: it has not been run.
+  std::vector<std::optional<Outcome>> outcomes();
+
+  // Nothing is left to be run: what is missing of a merge is then missing elsewhere.
+  void complete();
 
   const std::filesystem::path& dir() const noexcept;
 

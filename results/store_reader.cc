@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "results/merge.h"
 #include "results/metric_fields.h"
 #include "results/plain_files.h"
 #include "results/run_database.h"
@@ -19,13 +20,6 @@ namespace dob {
 namespace {
 
 namespace fs = std::filesystem;
-
-Outcome outcome_from(const std::string& name) {
-  for (std::size_t i = 0; i < kOutcomes.size(); ++i) {
-    if (kOutcomes[i] == name) return static_cast<Outcome>(i);
-  }
-  throw std::invalid_argument(fmt::format("outcome '{}', allowed: {}", name, fmt::join(kOutcomes, ", ")));
-}
 
 std::uint64_t hash_from(const std::string& hex) {
   std::uint64_t hash = 0;
@@ -57,6 +51,18 @@ double number(const SQLite::Statement& row, int column) {
   return value ? *value : 0.0;  // it was not finite
 }
 
+// A part of a plan is not to be taken for all of it.
+void note_missing_shards(const std::vector<RunShard>& shards, std::vector<std::string>& notes) {
+  if (shards.empty() || shards.front().count == 1) return;
+  const auto note = [&](const std::vector<int>& numbers, std::string_view what) {
+    if (numbers.empty()) return;
+    notes.push_back(
+        fmt::format("of {} shards these are not {}: {}", shards.front().count, what, fmt::join(numbers, ", ")));
+  };
+  note(missing_shards(shards), "here");
+  note(unfinished_shards(shards), "finished");
+}
+
 // Reads the tables of one run.
 class Reader {
  public:
@@ -72,6 +78,7 @@ class Reader {
     read_timings();
     read_histograms();
     note_machines();
+    note_missing_shards(run_.info.shards, run_.notes);
     return std::move(run_);
   }
 
@@ -79,10 +86,12 @@ class Reader {
   // Of the row of `table`: its first column is the cell.
   const CellKey& key_of(const SQLite::Statement& row, std::string_view table) const {
     const std::int64_t cell = row.getColumn(0).getInt64();
-    if (cell < 1 || cell > static_cast<std::int64_t>(run_.info.cells.size())) {
+    const std::vector<long>& ids = run_.info.ids;  // in their order
+    const auto it = std::lower_bound(ids.begin(), ids.end(), cell);
+    if (it == ids.end() || *it != cell) {
       throw std::invalid_argument(fmt::format("table {}: cell {} is not planned", table, cell));
     }
-    return run_.info.cells[static_cast<std::size_t>(cell - 1)];
+    return run_.info.cells[static_cast<std::size_t>(it - ids.begin())];
   }
 
   // A metric that was not measured yet when the run was made has no column there.

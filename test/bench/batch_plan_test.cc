@@ -57,7 +57,7 @@ TEST(BatchPlan, ASpecificationsOptionsMakeARowOfTheirOwn) {
   const BatchPlan plan = plan_batch(request);
   ASSERT_EQ(plan.cells.size(), 2U);
   EXPECT_EQ(plan.cells[1].key.observer, "momentum:gain_scale=5");
-  EXPECT_EQ(plan.cells[1].observer.observer, "momentum");
+  EXPECT_EQ(plan.observers[plan.cells[1].observer].observer.observer, "momentum");
 }
 
 TEST(BatchPlan, TheLargestSeedIsASeedAndTooManyCellsAreRefusedBeforeTheyAreMade) {

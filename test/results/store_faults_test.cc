@@ -102,12 +102,12 @@ TEST_F(StoreFaultsTest, MissingForeignOrDamagedDirectoriesAreToldApart) {
 
 TEST_F(StoreFaultsTest, AStoreOfAnotherVersionIsRefusedWithTheReason) {
   make_run();
-  execute("PRAGMA user_version = 3");
+  execute("PRAGMA user_version = 4");
   EXPECT_THAT(store_error([&] { read_run(dir); }),
-              HasSubstr("store of version 3, this program reads version 2: it was written by a newer dobbench"));
+              HasSubstr("store of version 4, this program reads 2 to 3: it was written by a newer dobbench"));
   execute("PRAGMA user_version = 0");
   EXPECT_THAT(store_error([&] { RunStore::open(dir, {}); }),
-              HasSubstr("version 0, this program reads version 2: it was "
+              HasSubstr("version 0, this program reads 2 to 3: it was "
                         "written by an older dobbench"));
 }
 

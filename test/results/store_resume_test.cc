@@ -40,9 +40,9 @@ class StoreResumeTest : public ::testing::Test {
 
 TEST_F(StoreResumeTest, TheSamePlanGoesOnWhereItWas) {
   RunStore store = RunStore::resume(dir, info, scenarios);
-  EXPECT_THAT(store.states(), ElementsAre(CellState::kDone, CellState::kError, CellState::kPending));
+  EXPECT_THAT(store.outcomes(), ElementsAre(Outcome::kSurvived, Outcome::kError, std::nullopt));
   store.append(test::survived(info.cells[2], 2.0));
-  EXPECT_EQ(store.states()[2], CellState::kDone);
+  EXPECT_EQ(store.outcomes()[2], Outcome::kSurvived);
   EXPECT_EQ(read_cells(dir).size(), 3U);
 }
 
