@@ -203,8 +203,9 @@ RunInfo run_info(const BatchPlan& plan, const std::string& command_line) {
                .sources = {},
                .code_path = this_code_path(),
                .ids = plan.ids,
-               .shards = {plan.shard},
+               .shards = {},
                .campaign = plan.campaign};
+  if (plan.shard.planned > 0) info.shards = {plan.shard};
   ObserverSources libraries;
   std::vector<std::string> observers;
   for (const PlannedObserver& observer : plan.observers) observers.push_back(libraries.source_of(observer));
