@@ -52,10 +52,13 @@ std::vector<std::vector<std::string>> grid_of(const CampaignSpec& spec) {
   return all;
 }
 
-std::string with_level(const std::string& text, double level) {
-  std::string result = text;
-  const std::size_t place = result.find("{}");
-  return result.replace(place, 2, fmt::format("{}", level));
+std::string with_level(std::string text, double level) {
+  constexpr std::string_view kPlaceOfLevel = "{}";
+  const std::string number = fmt::format("{}", level);
+  for (std::size_t at = text.find(kPlaceOfLevel); at != std::string::npos; at = text.find(kPlaceOfLevel, at)) {
+    text.replace(at, kPlaceOfLevel.size(), number);
+  }
+  return text;
 }
 
 class Planner {
@@ -86,6 +89,7 @@ class Planner {
           request.planner = planner;
           request.overrides = overrides;
           request.last_seed = spec_.seeds;
+          require_base(request);
           add_block(request);
         }
       }
@@ -118,7 +122,7 @@ class Planner {
       request.observers.push_back(combination.observer);
       meaning.emplace(combination.observer, combination);
     }
-    append(planned(request), {}, {}, [&](const CellKey& key) {
+    append(planned(request, {}), {}, {}, [&](const CellKey& key) {
       const Combination& combination = meaning.at(key.observer);
       const std::string scenario = fmt::format("{}{}{}{}{}", key.scenario, key.variant.empty() ? "" : "/", key.variant,
                                                key.overrides.empty() ? "" : " ", key.overrides);
@@ -146,7 +150,7 @@ class Planner {
     };
     if (scales.empty()) {
       request.observers = spec_.observers;
-      append(planned(request), axes, level, curve_of(""));
+      append(planned(request, axes), axes, level, curve_of(""));
       return;
     }
     for (const std::string& observer : spec_.observers) {
@@ -155,7 +159,7 @@ class Planner {
         if (scaled.empty()) continue;
         request.observers = {scaled};
         request.profiles = {profile};
-        append(planned(request), axes, level, curve_of(observer));
+        append(planned(request, axes), axes, level, curve_of(observer));
       }
     }
   }
@@ -180,22 +184,37 @@ class Planner {
     return specification;
   }
 
-  // What is wrong with a key of an axis, or with all of it, is said where the axis was written.
-  BatchPlan planned(const BatchRequest& request) const {
+  // What is wrong is said where it was written: before any axis, the scenarios and what is laid over all of them.
+  void require_base(const BatchRequest& request) const {
+    try {
+      load_scenarios({request.scenarios[0], {}, request.planner, request.overrides});
+    } catch (const InputError& error) {
+      const bool of_set = std::string_view(error.what()).starts_with("--set");
+      throw InputError(of_set ? spec_.set_place : spec_.scenarios_place, of_set ? "set" : "", error.what());
+    }
+  }
+
+  BatchPlan planned(const BatchRequest& request, const std::vector<int>& axes) const {
     try {
       return plan_batch(request);
     } catch (const InputError& error) {
-      const std::string message = error.what();
-      const bool of_axis = !spec_.axes.empty() && message.starts_with("--set");
-      if (!of_axis) throw InputError(spec_.scenarios_place, "", message);
-      for (const AxisSpec& axis : spec_.axes) {
-        for (const std::string& text : axis.set) {
-          if (message.find(text.substr(0, text.find('='))) == std::string::npos) continue;
-          throw InputError(axis.place, "axis." + axis.axis.name, message);
-        }
-      }
-      throw InputError(spec_.set_place, "set", message);
+      const std::string_view message = error.what();
+      if (message.starts_with("--observer")) throw InputError(spec_.observers_place, "", error.what());
+      if (axes.empty()) throw InputError(spec_.scenarios_place, "", error.what());
+      const AxisSpec& axis = axis_in(message, axes);
+      throw InputError(axis.place, "axis." + axis.axis.name, error.what());
     }
+  }
+
+  // The one whose key the message names, else the last one: the others are tried with it.
+  const AxisSpec& axis_in(std::string_view message, const std::vector<int>& axes) const {
+    for (const int i : axes) {
+      const AxisSpec& axis = spec_.axes[static_cast<std::size_t>(i)];
+      for (const std::string& text : axis.set) {
+        if (message.find(text.substr(0, text.find('='))) != std::string_view::npos) return axis;
+      }
+    }
+    return spec_.axes[static_cast<std::size_t>(axes.back())];
   }
 
   // Adds the cells of a part; `curve_of` tells the key of a cell's curve and the levels of its factors.

@@ -80,10 +80,18 @@ void read_levels(Reader& r, CampaignAxis& axis) {
   }
 }
 
-bool is_template(const std::string& text) {
-  const std::size_t equals = text.find('='), place = text.find("{}");
-  return equals != std::string::npos && equals > 0 && place != std::string::npos && place > equals &&
-         text.find_first_of("{}", place + 2) == std::string::npos && text.find_first_of("{}") == place;
+constexpr std::string_view kPlaceOfLevel = "{}";
+
+// KEY=VALUE, where braces stand for the level and for nothing else.
+bool is_override(std::string text) {
+  for (std::size_t at; (at = text.find(kPlaceOfLevel)) != std::string::npos;)
+    text.replace(at, kPlaceOfLevel.size(), "1");
+  const std::size_t equals = text.find('=');
+  return equals != std::string::npos && equals > 0 && text.find_first_of("{}") == std::string::npos;
+}
+
+bool has_level(const std::string& text) {
+  return text.find(kPlaceOfLevel, text.find('=')) != std::string::npos;
 }
 
 AxisSpec read_axis(const Entry& entry) {
@@ -96,8 +104,9 @@ AxisSpec read_axis(const Entry& entry) {
       spec.observer_scale = r.texts("observer_scale");
     } else {
       spec.set = r.texts("set");
-      const bool sound = std::all_of(spec.set.begin(), spec.set.end(), is_template);
-      if (!sound && r.has("set")) r.refuse("set", "KEY={} or a list of these; {} is where the level goes");
+      const bool sound = std::all_of(spec.set.begin(), spec.set.end(), is_override) &&
+                         std::any_of(spec.set.begin(), spec.set.end(), has_level);
+      if (!sound && r.has("set")) r.refuse("set", "KEY={}, or a list of KEY=VALUE; {} is where the level goes");
     }
     read_levels(r, spec.axis);
     const bool levels = !spec.axis.levels.empty();
@@ -168,12 +177,14 @@ void read_spec(Reader& r, const Node& document, CampaignSpec& spec) {
   spec.scenarios_place = r.place("scenarios");
   require_once(r, "scenarios", spec.scenarios);
   if (spec.kind == CampaignKind::kFactorial) {
+    spec.observers_place = r.place("legs");
     spec.legs = r.texts("legs");
     spec.com = r.texts("com");
     require_once(r, "legs", spec.legs);
     require_once(r, "com", spec.com);
     spec.profiles = {r.text("profile")};
   } else {
+    spec.observers_place = r.place("observers");
     spec.observers = r.texts("observers");
     require_once(r, "observers", spec.observers);
     spec.profiles = r.texts("profiles");

@@ -14,7 +14,7 @@ namespace dob {
 // An axis with what it changes in a trial.
 struct AxisSpec {
   CampaignAxis axis;
-  std::vector<std::string> set;             // "KEY={}": laid over the scenario with the level in place of {}
+  std::vector<std::string> set;             // KEY=VALUE laid over the scenario, with the level in place of {}
   std::vector<std::string> observer_scale;  // options of observers, by which the level multiplies what the profile says
   Place place;
 };
@@ -34,7 +34,7 @@ struct CampaignSpec {
   int seeds = 0;                               // 1 to this, at every level
   long trials = 0;                             // budget of the whole campaign; 0: none
   long trials_per_curve = 0;                   // the same of each curve; 0: none
-  Place budget_place, set_place, scenarios_place;
+  Place scenarios_place, observers_place, set_place, budget_place;
 };
 
 // `request`: a file, or the name of a shipped campaign (scenarios/campaigns/NAME.toml). `overrides` are laid over every

@@ -164,7 +164,7 @@ MergeSummary merge_runs(const std::vector<fs::path>& dirs, const fs::path& out) 
   MergeSummary summary;
   try {
     SQLite::Database database = create_database(unfinished);
-    database.exec("PRAGMA journal_mode = MEMORY");  // it is made anew when this is cut short
+    database.exec("PRAGMA journal_mode = OFF");
     MergedRows rows(database);
     for (const Part& part : parts) rows.add(part.dir, part.shards);
     summary = summary_of(database);

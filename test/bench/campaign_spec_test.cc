@@ -136,7 +136,7 @@ TEST_F(CampaignSpecTest, WhatIsWrongIsSaidWithItsPlace) {
   EXPECT_THAT(refusal("seeds = 3", "sedes = 3"), AllOf(HasSubstr(at(7, 1)), HasSubstr("did you mean 'seeds'")));
   EXPECT_THAT(refusal("amplitude_N={}", "amplitude={}"),
               AllOf(HasSubstr(at(9, 2)), HasSubstr("axis.amplitude"), HasSubstr("amplitude_N")));
-  EXPECT_THAT(refusal("amplitude_N={}", "amplitude_N"), AllOf(HasSubstr(at(10, 1)), HasSubstr("KEY={}")));
+  EXPECT_THAT(refusal("amplitude_N={}", "amplitude_N"), AllOf(HasSubstr(at(10, 1)), HasSubstr("KEY={}, or")));
   EXPECT_THAT(refusal("levels = 7", "levels = 1"), HasSubstr(at(14, 1) + "axis.amplitude.levels: 1"));
   EXPECT_THAT(refusal("to = 160", "to = 20"), HasSubstr("no two levels"));
   EXPECT_THAT(refusal("from = 20", "from = -20"), HasSubstr(at(12, 1)));
