@@ -1,6 +1,8 @@
 // What a campaign has found: shares of falls and errors over the levels, thresholds, shares of variance.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,11 +54,19 @@ struct VarianceShare {
   std::optional<Interval> interval;  // percentile bootstrap over seeds; nullopt below eight seeds
 };
 
+// Responses: "falls", 0 or 1; "log CoM error", log10 of com_error_max_m, a fall counting as the largest error of any
+// survivor of the campaign. To leave the trials that fell out would make a comparison of what was easy, another part of
+// the design for each factor, and the design unbalanced; that a fall is at least as bad as the worst that was survived
+// is all that is assumed, and the logarithm keeps it from outweighing the rest (a composite response, ICH E9(R1),
+// 2019). Cells that could not be run or have not been run yet have no value; a complete part of the design without them
+// is taken by leaving out whole levels and seeds (complete_part() of results/variance_shares.h).
 struct FactorialResult {
-  std::string response;  // "falls" (0 or 1), "log CoM error"
+  std::string response;  // "falls", "log CoM error"
   int trials = 0;        // that it is about
-  int left_out = 0;      // cells that could not be run, or with "log CoM error" combinations in which any fell
-  std::vector<VarianceShare> shares;  // factors, their pairs, seed, residual; the largest first, the residual last
+  int left_out = 0;      // planned cells that it is not about: without a value, or with one but left out with them
+  // Factors, their pairs, seed, residual; the largest first, the residual last. A factor of which one level is left is
+  // not there; nothing is, if no trial differs from the others.
+  std::vector<VarianceShare> shares;
 };
 
 struct CampaignResult {
@@ -66,7 +76,9 @@ struct CampaignResult {
   std::size_t planned = 0;                 // cells of the plan; a campaign needs not run all of them
 };
 
-// `run` is that of the campaign's directory: campaign.cells and run.info.cells belong together.
+// `run` is that of the campaign's directory: campaign.cells and run.info.cells belong together. The same bits whatever
+// the order of run.cells. Throws std::invalid_argument for a campaign that is none: cells that are not those of the
+// run, curves or levels that are not there, ladders that are not monotone, factorial curves with the same levels.
 CampaignResult campaign_result(const Campaign& campaign, const Run& run);
 
 }  // namespace dob

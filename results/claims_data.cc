@@ -47,13 +47,6 @@ Json row_to_json(const ClaimRow& row) {
           {"note", row.note}};
 }
 
-std::string csv_line(const Json& row, bool names) {
-  std::string line;
-  for (const auto& [name, value] : row.items()) line += (names ? name : csv_value(value)) + ",";
-  line.back() = '\n';
-  return line;
-}
-
 }  // namespace
 
 std::string claims_json(const std::vector<ClaimRow>& rows) {
@@ -64,13 +57,13 @@ std::string claims_json(const std::vector<ClaimRow>& rows) {
     for (const ContrastFinding& contrast : row.contrasts) contrasts.push_back(to_json(contrast));
     json.back()["contrasts"] = std::move(contrasts);
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 std::string claims_csv(const std::vector<ClaimRow>& rows) {
   const Claim no_claim;
-  std::string csv = csv_line(row_to_json({.claim = &no_claim}), true);
-  for (const ClaimRow& row : rows) csv += csv_line(row_to_json(row), false);
+  std::string csv = csv_heading(row_to_json({.claim = &no_claim}));
+  for (const ClaimRow& row : rows) csv += csv_line(row_to_json(row));
   return csv;
 }
 

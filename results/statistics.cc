@@ -11,8 +11,6 @@ namespace dob {
 namespace {
 
 constexpr double kNormalQuantile975 = 1.959963984540054;
-constexpr int kResamples = 2000;
-constexpr std::uint64_t kBootstrapSeed = 20210827;
 
 }  // namespace
 
@@ -59,8 +57,6 @@ std::optional<Interval> bootstrap_median_interval(std::vector<double> samples) {
   medians.reserve(kResamples);
   std::vector<double> resample(samples.size());
   for (int i = 0; i < kResamples; ++i) {
-    // The engine's output is fixed by the standard, std::uniform_int_distribution's is not. The modulo's bias is
-    // below n / 2^64.
     for (double& x : resample) x = samples[random() % samples.size()];
     medians.push_back(median(resample));
   }

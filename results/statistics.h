@@ -1,6 +1,7 @@
 // Statistics of small samples: what a table says about the seeds of one row.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -13,6 +14,12 @@ struct Interval {
 
 // Below this many samples an interval would say more about its method than about the data: nullopt instead.
 inline constexpr int kMinSamplesForInterval = 8;
+
+// Of every bootstrap: how many resamples, and the seed of the std::mt19937_64 that draws them, index = draw modulo
+// number of samples. The engine's output is fixed by the standard, std::uniform_int_distribution's is not; the bias of
+// the modulo is below n / 2^64.
+inline constexpr int kResamples = 2000;
+inline constexpr std::uint64_t kBootstrapSeed = 20210827;
 
 // Quantile 0 <= p <= 1 by linear interpolation between order statistics (type 7 of Hyndman & Fan, 1996): with sorted
 // x_0 ... x_(n-1) and h = (n - 1) p it is x_floor(h) + (h - floor(h)) (x_floor(h)+1 - x_floor(h)).

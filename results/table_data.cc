@@ -6,10 +6,6 @@
 namespace dob {
 namespace {
 
-Json interval_or_null(const std::optional<Interval>& x) {
-  return x ? Json::array({x->low, x->high}) : Json();
-}
-
 void add_metric(Json& json, std::string_view metric, const MetricSummary& summary) {
   const std::string name(metric);
   json[name] = number_or_null(summary.median);
@@ -38,11 +34,6 @@ void add_timing(Json& json, const std::optional<TimingSummary>& timing) {
   add("qp_time_p99_us", &TimingSummary::qp_p99_us);
   add("qp_time_max_us", &TimingSummary::qp_max_us);
   add("real_time_factor", &TimingSummary::real_time_factor);
-}
-
-Json key_to_row(const CellKey& key) {
-  return {{"scenario", key.scenario}, {"variant", key.variant}, {"observer", key.observer},  {"profile", key.profile},
-          {"gains", key.gains},       {"planner", key.planner}, {"overrides", key.overrides}};
 }
 
 Json row_to_json(const TableRow& row, bool timing) {
@@ -75,37 +66,11 @@ Json shadow_to_json(const ShadowRow& row) {
   return json;
 }
 
-bool is_interval(const std::string& name) {
-  return name.ends_with("_ci95");
-}
-
-std::string csv_heading(const Json& row) {
-  std::string line;
-  for (const auto& [name, value] : row.items()) {
-    line += is_interval(name) ? fmt::format("{0}_low,{0}_high,", name) : name + ",";
-  }
-  line.back() = '\n';
-  return line;
-}
-
-std::string csv_line(const Json& row) {
-  std::string line;
-  for (const auto& [name, value] : row.items()) {
-    if (!is_interval(name)) {
-      line += csv_value(value) + ",";
-    } else {
-      line += value.is_null() ? ",," : fmt::format("{},{},", csv_value(value[0]), csv_value(value[1]));
-    }
-  }
-  line.back() = '\n';
-  return line;
-}
-
 template <typename Rows, typename ToJson>
 std::string json_array(const Rows& rows, ToJson to_json) {
   Json json = Json::array();
   for (const auto& row : rows) json.push_back(to_json(row));
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 template <typename Row, typename ToJson>

@@ -66,6 +66,10 @@ std::string latex_block(const TableBlock& block) {
 
 }  // namespace
 
+std::string latex_heading(const std::string& line) {
+  return fmt::format("\\par\\noindent {}\n\n", latex(line));
+}
+
 std::string table_latex(const std::vector<TableBlock>& blocks, const std::vector<std::string>& legend) {
   std::string out = "% needs \\usepackage{booktabs}\n";
   for (const TableBlock& block : blocks) out += latex_block(block);

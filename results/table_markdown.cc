@@ -41,6 +41,10 @@ std::string markdown_block(const TableBlock& block) {
 
 }  // namespace
 
+std::string markdown_heading(const std::string& line) {
+  return markdown(line) + "\n\n";
+}
+
 std::string table_markdown(const std::vector<TableBlock>& blocks, const std::vector<std::string>& legend) {
   std::string out;
   for (const TableBlock& block : blocks) out += markdown_block(block);

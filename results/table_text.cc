@@ -132,6 +132,10 @@ std::string text_block(const TableBlock& block) {
 
 }  // namespace
 
+std::string text_heading(const std::string& line) {
+  return wrapped(line, "") + "\n";
+}
+
 std::string table_text(const std::vector<TableBlock>& blocks, const std::vector<std::string>& legend) {
   std::string out;
   for (const TableBlock& block : blocks) out += text_block(block);
