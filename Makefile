@@ -106,6 +106,11 @@ package: setup
 test-deb: package
 	.ci/check-deb
 
+.PHONY: test-slurm
+# A campaign as a job array on a real Slurm of one node, which the test starts and stops itself (as root).
+test-slurm: build
+	test/slurm/run build/bin/dobbench
+
 format:
 	git ls-files '*.h' '*.cc' | xargs clang-format -i
 

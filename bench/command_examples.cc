@@ -31,6 +31,8 @@ const std::vector<CommandExample>& command_examples() {
       {"check", "dobbench check dobbench-results/0001/scenarios/*.toml", "says what is wrong with a file, and where"},
       {"tune", "dobbench tune momentum --budget 1 --out tuned",
        "the first candidate alone; 24 made the profile 'tuned'"},
+      {"slurm", "dobbench slurm limit.toml --tasks 4 --cpus 2 --time 01:00:00 --out on_slurm",
+       "the campaign limit.toml as four tasks; then: on_slurm/submit"},
       {"completion", "dobbench completion bash > dobbench.bash", "then: source dobbench.bash"},
       {"manual", "dobbench manual > dobbench.1", "then: man -l dobbench.1"},
   };

@@ -38,6 +38,7 @@ Command add_manual_command(CLI::App& app);
 Command add_merge_command(CLI::App& app);
 Command add_report_command(CLI::App& app);
 Command add_run_command(CLI::App& app, const std::string& command_line);
+Command add_slurm_command(CLI::App& app);
 Command add_table_command(CLI::App& app);
 Command add_timing_command(CLI::App& app, const std::string& command_line);
 Command add_tune_command(CLI::App& app, const std::string& command_line);

@@ -45,6 +45,7 @@ int run(int argc, char** argv) {
       {"merge", dob::add_merge_command(app)},
       {"report", dob::add_report_command(app)},
       {"run", dob::add_run_command(app, command_line(argc, argv))},
+      {"slurm", dob::add_slurm_command(app)},
       {"table", dob::add_table_command(app)},
       {"timing", dob::add_timing_command(app, command_line(argc, argv))},
       {"tune", dob::add_tune_command(app, command_line(argc, argv))},

@@ -73,10 +73,11 @@ TEST_F(Help, ValuesOfAnOptionStandBehindItsName) {
 
 // In this order each finds what those before it have left.
 TEST_F(Help, TheExamplesRun) {
+  std::filesystem::copy_file(DOB_SOURCE_DIR "/test/slurm/campaign.toml", dir / "limit.toml");
   std::set<std::string> left;
   for (const std::string& command : commands()) left.insert(command);
   for (const char* command : {"list", "run", "table", "report", "figures", "compare", "verify", "timing", "analyse",
-                              "check", "tune", "completion", "manual"}) {
+                              "check", "tune", "slurm", "completion", "manual"}) {
     for (const std::string& example : examples(command)) {
       const Answer answer = shell(example);
       EXPECT_EQ(answer.exit_code, 0) << example << ": " << answer.err;
