@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "results/campaign_blocks.h"
 #include "results/campaign_ranks.h"
+#include "results/campaign_table_blocks.h"
 #include "results/campaign_text.h"
 #include "results/table_cells.h"
 

@@ -1,7 +1,7 @@
 #include "results/campaign_table.h"
 
-#include "results/campaign_blocks.h"
 #include "results/campaign_data.h"
+#include "results/campaign_table_blocks.h"
 #include "results/campaign_text.h"
 #include "results/table_formats.h"
 
@@ -11,7 +11,7 @@ std::string render_campaign(const CampaignResult& result, TableFormat format) {
   if (format == TableFormat::kJson) return campaign_json(result);
   if (format == TableFormat::kCsv) return campaign_csv(result);
   const std::string heading = campaign_heading(result);
-  const std::vector<TableBlock> blocks = campaign_blocks(result);
+  const std::vector<TableBlock> blocks = campaign_table_blocks(result);
   const std::vector<std::string> legend = campaign_legend(result.campaign.kind);
   switch (format) {
     case TableFormat::kMarkdown:

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "test/results/campaign_samples.h"
+#include "test/results/campaign_run_samples.h"
 
 namespace dob {
 namespace {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "test/results/campaign_samples.h"
+#include "test/results/campaign_run_samples.h"
 
 namespace dob {
 namespace {

@@ -22,7 +22,7 @@ std::vector<TableBlock> map_blocks(const CampaignResult& result);
 std::vector<TableBlock> factorial_blocks(const CampaignResult& result);
 
 // Those of its kind, and what their columns mean, one sentence group per entry.
-std::vector<TableBlock> campaign_blocks(const CampaignResult& result);
+std::vector<TableBlock> campaign_table_blocks(const CampaignResult& result);
 std::vector<std::string> campaign_legend(CampaignKind kind);
 
 }  // namespace dob

@@ -1,4 +1,4 @@
-#include "results/campaign_blocks.h"
+#include "results/campaign_table_blocks.h"
 
 #include <fmt/format.h>
 
@@ -76,7 +76,7 @@ std::vector<TableBlock> factorial_blocks(const CampaignResult& result) {
   return blocks;
 }
 
-std::vector<TableBlock> campaign_blocks(const CampaignResult& result) {
+std::vector<TableBlock> campaign_table_blocks(const CampaignResult& result) {
   switch (result.campaign.kind) {
     case CampaignKind::kLimit:
       return limit_blocks(result);
