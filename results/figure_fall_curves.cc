@@ -11,11 +11,12 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kMargin = 0.04;   // of the axis, on either side
-constexpr double kSpread = 0.4;    // of the smallest step between levels: curves stand side by side in it
+constexpr double kSpread = 0.26;   // of the smallest step between levels: curves stand side by side in it
 constexpr double kLanePt = 9.0;    // [pt] height of an observer among the thresholds
 constexpr double kHalfLane = 0.2;  // the thresholds of 50 % stand above the middle of their lane, those of 5 % below
-constexpr double kWhisker = 0.6;   // widths of lines
-constexpr double kBroad = 2.4;
+constexpr double kHalfBar = 0.16;  // height of the bars of 50 %
+constexpr double kWhisker = 0.6;   // width of a line
+constexpr std::size_t kMostNames = 7;  // of levels along a logarithmic axis
 
 class FallCurves {
  public:
@@ -50,7 +51,18 @@ class FallCurves {
     panel.y_axis = y_axis;
     panel.x_range = {off_scale(from_), off_scale(to_)};
     panel.log_x = axis_.logarithmic;
+    if (axis_.logarithmic) panel.x_ticks = level_ticks();
     return panel;
+  }
+
+  // Less than a power of ten would have one number, or none.
+  std::vector<FigureTick> level_ticks() const {
+    const std::size_t every = (axis_.levels.size() + kMostNames - 1) / kMostNames;
+    std::vector<FigureTick> ticks;
+    for (std::size_t i = 0; i < axis_.levels.size(); i += every) {
+      ticks.push_back({axis_.levels[i], fmt::format("{:.3g}", axis_.levels[i])});
+    }
+    return ticks;
   }
 
   // Where a curve has its points of a level, so that none hides another's interval.
@@ -122,36 +134,68 @@ class FallCurves {
     return errors;
   }
 
-  // An interval that says no more than "milder" or "harder" runs to the rim.
-  void add_threshold(FigurePanel& panel, std::size_t curve, const std::optional<FallThreshold>& threshold, double y,
-                     double width) const {
-    if (!threshold) return;
-    const double low = std::min(from_, to_), high = std::max(from_, to_);
+  // The part of an interval that the panel shows; one that says no more than "milder" or "harder" runs to the rim.
+  Interval shown(const FallThreshold& threshold) const {
     const bool ascends = from_ < to_;
-    const bool open_low = ascends ? threshold->below : threshold->above;
-    const bool open_high = ascends ? threshold->above : threshold->below;
-    const auto within = [&](double level) { return off_scale(std::clamp(on_scale(level), low, high)); };
-    FigureLine bar = line(curve, FigureMark::kLine, width);
-    bar.x = {open_low ? off_scale(low) : within(threshold->interval.low),
-             open_high ? off_scale(high) : within(threshold->interval.high)};
-    bar.y = {y, y};
-    FigureLine point = line(curve, FigureMark::kPoints, 1.0);
-    point.x = {within(threshold->estimate)};
-    point.y = {y};
+    const bool open_low = ascends ? threshold.below : threshold.above;
+    const bool open_high = ascends ? threshold.above : threshold.below;
+    return {open_low ? off_scale(std::min(from_, to_)) : within(threshold.interval.low),
+            open_high ? off_scale(std::max(from_, to_)) : within(threshold.interval.high)};
+  }
+
+  double within(double level) const {
+    return off_scale(std::clamp(on_scale(level), std::min(from_, to_), std::max(from_, to_)));
+  }
+
+  // An estimate beyond the levels has no mark: the interval runs to the rim.
+  bool is_within(double level) const {
+    const auto [low, high] = std::minmax(axis_.levels.front(), axis_.levels.back());
+    return level >= low && level <= high;
+  }
+
+  // A bar, with an upright at the estimate.
+  void add_half(FigurePanel& panel, std::size_t curve, double y) const {
+    const std::optional<FallThreshold>& threshold = block_.curves[curve]->half;
+    if (!threshold) return;
+    const auto [low, high] = shown(*threshold);
+    FigureLine bar = line(curve, FigureMark::kFill, 1.0);
+    bar.x = {low, high, high, low, low};
+    bar.y = {y - kHalfBar, y - kHalfBar, y + kHalfBar, y + kHalfBar, y - kHalfBar};
     panel.lines.push_back(std::move(bar));
+    if (!is_within(threshold->estimate)) return;
+    FigureLine upright;
+    upright.look.width = 1.4;
+    upright.x = {threshold->estimate, threshold->estimate};
+    upright.y = {y - 1.4 * kHalfBar, y + 1.4 * kHalfBar};
+    panel.lines.push_back(std::move(upright));
+  }
+
+  // A line, with a point at the estimate.
+  void add_twentieth(FigurePanel& panel, std::size_t curve, double y) const {
+    const std::optional<FallThreshold>& threshold = block_.curves[curve]->twentieth;
+    if (!threshold) return;
+    const auto [low, high] = shown(*threshold);
+    FigureLine interval = line(curve, FigureMark::kLine, 1.0);
+    interval.x = {low, high};
+    interval.y = {y, y};
+    panel.lines.push_back(std::move(interval));
+    if (!is_within(threshold->estimate)) return;
+    FigureLine point = line(curve, FigureMark::kPoints, 1.0);
+    point.x = {threshold->estimate};
+    point.y = {y};
     panel.lines.push_back(std::move(point));
   }
 
   FigurePanel thresholds() const {
     const auto n = static_cast<double>(looks_.size());
-    FigurePanel lanes = panel("where 50 % (broad) and 5 % (thin) fall", "");
+    FigurePanel lanes = panel("where 50 % (bars) and 5 % (lines) fall", "");
     lanes.y_range = {0.5 - n, 0.5};
     lanes.height_pt = std::max(14.0, kLanePt * n);
     lanes.y_ticks = {{0.5 - n, ""}};  // no numbers
     for (std::size_t i = 0; i < looks_.size(); ++i) {
       const double y = -static_cast<double>(i);
-      add_threshold(lanes, i, block_.curves[i]->half, y + kHalfLane, kBroad);
-      add_threshold(lanes, i, block_.curves[i]->twentieth, y - kHalfLane, 1.0);
+      add_half(lanes, i, y + kHalfLane);
+      add_twentieth(lanes, i, y - kHalfLane);
     }
     return lanes;
   }

@@ -54,7 +54,8 @@ std::vector<ColourClass> error_classes(const CampaignBlock& block) {
   if (ladder.size() > kErrorColours.size()) ladder.erase(ladder.begin(), ladder.end() - kErrorColours.size());
   std::vector<ColourClass> classes;
   for (std::size_t i = 0; i < ladder.size(); ++i) {
-    classes.push_back({ladder[i], fmt::format("to {:g} mm", 1e3 * ladder[i]), kErrorColours[i]});
+    const std::size_t colour = i * (kErrorColours.size() - 1) / std::max<std::size_t>(1, ladder.size() - 1);
+    classes.push_back({ladder[i], fmt::format("to {:g} mm", 1e3 * ladder[i]), kErrorColours[colour]});
   }
   return classes;
 }

@@ -26,8 +26,7 @@ FigureLine bar(const VarianceShare& share, double y) {
 
 FigurePanel panel_of(const FactorialResult& result) {
   FigurePanel panel;
-  panel.title = fmt::format("{}: {} trials", result.response, result.trials);
-  if (result.left_out > 0) panel.title += fmt::format(", {} left out", result.left_out);
+  panel.title = result.response;
   panel.x_axis = "share of the variance [%]";
   const auto n = static_cast<double>(result.shares.size());
   panel.y_range = {0.5 - std::max(1.0, n), 0.5};
@@ -54,10 +53,13 @@ FigurePanel panel_of(const FactorialResult& result) {
 
 Figure variance_figure(const CampaignResult& result) {
   Figure figure;
-  figure.subtitle =
-      fmt::format("{}: sums of squares between the levels over the total; lines: 95 %", result.campaign.name);
+  figure.subtitle = result.campaign.name + ": sums of squares between the levels over the total; lines: 95 %";
   figure.cells = {result.campaign.name};
-  for (const FactorialResult& response : result.factorial) figure.panels.push_back(panel_of(response));
+  for (const FactorialResult& response : result.factorial) {
+    figure.subtitle += fmt::format("; {} of {} trials", response.response, response.trials);
+    if (response.left_out > 0) figure.subtitle += fmt::format(", {} left out", response.left_out);
+    figure.panels.push_back(panel_of(response));
+  }
   return figure;
 }
 

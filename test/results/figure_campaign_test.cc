@@ -51,12 +51,15 @@ TEST(FallCurves, ShowSharesWithTheirIntervalsOverTheLevel) {
 
 TEST(FallCurves, ShowThresholdsAsBarsThatAreOpenWhereTheTrialsSayNoMore) {
   const FigurePanel lanes = panel_of(test::limit_result(), 1);
-  ASSERT_THAT(lanes.lines, SizeIs(6));  // a bar and a point each: 50 % and 5 % of momentum, 50 % of none
-  EXPECT_THAT(lanes.lines[0].x, ElementsAre(DoubleNear(34.0, 1e-9), DoubleNear(47.0, 1e-9)));
-  EXPECT_THAT(lanes.lines[1].x, ElementsAre(DoubleNear(40.0, 1e-9)));
+  ASSERT_THAT(lanes.lines, SizeIs(5));  // 50 % and 5 % of momentum with their marks; 50 % of none
+  EXPECT_EQ(lanes.lines[0].mark, FigureMark::kFill);
+  EXPECT_NEAR(lanes.lines[0].x[0], 34.0, 1e-9);
+  EXPECT_NEAR(lanes.lines[0].x[1], 47.0, 1e-9);
+  EXPECT_THAT(lanes.lines[1].x, Each(40.0));
   EXPECT_NEAR(lanes.lines[2].x[0], lanes.x_range[0], 1e-9) << "reaches the mildest level";
-  EXPECT_NEAR(lanes.lines[4].x[1], lanes.x_range[1], 1e-9) << "reaches the hardest level";
-  EXPECT_NEAR(lanes.lines[5].x[0], lanes.x_range[1], 1e-9) << "beyond it";
+  EXPECT_NEAR(lanes.lines[2].x[1], 35.0, 1e-9);
+  EXPECT_THAT(lanes.lines[3].x, ElementsAre(28.0));
+  EXPECT_NEAR(lanes.lines[4].x[1], lanes.x_range[1], 1e-9) << "reaches the hardest level; its estimate lies beyond";
   EXPECT_GT(lanes.lines[0].y[0], lanes.lines[2].y[0]);
 }
 
@@ -120,7 +123,8 @@ TEST(VarianceShares, AreBarsWithTheirIntervals) {
   const CampaignFigure made = campaign_figures(test::factorial_result(), {}).front();
   EXPECT_EQ(made.spec.id, "factorial");
   const FigurePanel& panel = made.figure.panels.at(0);
-  EXPECT_EQ(panel.title, "falls: 480 trials, 20 left out");
+  EXPECT_EQ(panel.title, "falls");
+  EXPECT_THAT(made.figure.subtitle, HasSubstr("falls of 480 trials, 20 left out"));
   EXPECT_EQ(panel.y_ticks[0].text, "leg estimator");
   EXPECT_THAT(panel.lines[0].x, Contains(61.0));
   EXPECT_NE(panel.lines[1].look.colour, panel.lines[0].look.colour) << "the residual is no factor";
