@@ -13,7 +13,7 @@
 #include "bench/plugin_consent.h"
 #include "bench/shard.h"
 #include "results/campaign_result.h"
-// PENDING #include "results/campaign_table.h"
+#include "results/campaign_table.h"
 #include "results/whole_file.h"
 
 namespace dob {
@@ -67,7 +67,7 @@ int run(Arguments& arguments) {
   arguments.options.progress = ::isatty(STDERR_FILENO) == 1;
   const BatchSummary summary = run_or_say_how_to_go_on(plan, arguments.options, choice);
   const Run finished = read_run(summary.dir);
-  // PENDING fmt::print("{}", render_campaign(campaign_result(*read_campaign(summary.dir), finished), TableFormat::kText));
+  fmt::print("{}", render_campaign(campaign_result(*read_campaign(summary.dir), finished), TableFormat::kText));
   for (const std::string& note : finished.notes) fmt::print("note: {}\n", note);
   fmt::print("\nrun directory: {}\n", summary.dir.string());
   if (summary.stop_signal != 0) return kExitSignal + summary.stop_signal;

@@ -5,6 +5,8 @@
 
 #include "bench/commands.h"
 #include "bench/gnuplot_process.h"
+#include "results/campaign_result.h"
+#include "results/figure_campaign.h"
 #include "results/figures.h"
 #include "results/plain_files.h"
 #include "results/whole_file.h"
@@ -31,14 +33,34 @@ void list(const std::vector<MadeFigure>& figures, const Arguments& arguments) {
   fmt::print("\nfigures, their scripts and data: {}\n", arguments.out.string());
 }
 
+// The figures with what describes them.
+struct Drawn {
+  FigureSet paper;
+  std::vector<CampaignFigure> campaign;
+  std::vector<MadeFigure> figures;
+
+  explicit Drawn(const Arguments& arguments) {
+    Run run = read_run(arguments.dir);
+    if (const std::optional<Campaign> read = read_campaign(arguments.dir)) {
+      campaign = campaign_figures(campaign_result(*read, run), arguments.request);
+      figures = made_figures(campaign);
+      return;
+    }
+    paper = load_figures(paper_figures_file());
+    FigureCells cells(arguments.dir, std::move(run), arguments.request);
+    figures = make_figures(paper, cells);
+  }
+  Drawn(const Drawn&) = delete;
+  Drawn& operator=(const Drawn&) = delete;
+};
+
 int draw(Arguments arguments) {
   if (arguments.out.empty()) {
     arguments.out = arguments.dir / "figures";
     require_plain_directory(arguments.out);
   }
-  const FigureSet set = load_figures(paper_figures_file());
-  FigureCells cells(arguments.dir, read_run(arguments.dir), arguments.request);
-  const std::vector<MadeFigure> figures = make_figures(set, cells);
+  const Drawn drawn(arguments);
+  const std::vector<MadeFigure>& figures = drawn.figures;
   try {
     write_figures(figures, arguments.format, arguments.out);
     write_whole_file(arguments.out / "index.md", figure_index(figures, arguments.format, arguments.dir));
@@ -62,7 +84,8 @@ Command add_figures_command(CLI::App& app) {
   const std::map<std::string, FigureFormat> formats{
       {"svg", FigureFormat::kSvg}, {"pdf", FigureFormat::kPdf}, {"png", FigureFormat::kPng}};
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("figures", "the paper's figures, redrawn from a run directory");
+  CLI::App* command =
+      app.add_subcommand("figures", "the paper's figures, redrawn from a run directory, or those of a campaign");
   command->add_option("dir", arguments->dir, "run directory")->required();
   command->add_option("--format", arguments->format, "svg, pdf or png")->transform(CLI::CheckedTransformer(formats));
   command->add_option("--out", arguments->out,

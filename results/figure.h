@@ -50,13 +50,14 @@ struct FigureArrow {
 struct FigurePanel {
   std::string title;  // behind the letter
   std::string x_axis, y_axis;
-  std::array<double, 2> x_range{}, y_range{};
+  std::array<double, 2> x_range{}, y_range{};  // x may descend
   bool log_x = false;
   bool equal_axes = false;          // one unit is as long along y as along x: decides the height
   double height_pt = 0.0;           // 0: as the layout has it
-  std::vector<FigureTick> y_ticks;  // names instead of numbers
-  std::vector<FigureBand> bands;    // behind the lines
-  std::vector<FigureLine> lines;    // the first one at the bottom
+  std::vector<FigureTick> x_ticks;  // names instead of numbers
+  std::vector<FigureTick> y_ticks;
+  std::vector<FigureBand> bands;  // behind the lines
+  std::vector<FigureLine> lines;  // the first one at the bottom
   std::vector<FigureText> texts;
   std::vector<FigureArrow> arrows;
 };

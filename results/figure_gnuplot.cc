@@ -20,6 +20,7 @@ constexpr double kStripPart = 0.94;                 // of a panel's height, abov
 constexpr const char* kSwingColour = "#E4E9EE";
 constexpr const char* kDisturbanceColour = "#E8A13A";
 constexpr const char* kFrameColour = "#444444";
+constexpr const char* kFillBorder = "#33414E";
 
 // What differs between the terminals: their units, and what a width of 1 is.
 struct Terminal {
@@ -58,7 +59,7 @@ std::string dash_type(const std::vector<double>& dash) {
 
 // 1, 2 or 5 times a power of ten: no more than `most` steps in the range.
 double nice_step(const std::array<double, 2>& range, double most) {
-  const double least = (range[1] - range[0]) / std::max(most, 1.0);
+  const double least = std::abs(range[1] - range[0]) / std::max(most, 1.0);
   const double power = std::pow(10.0, std::floor(std::log10(least)));
   for (const double factor : {1.0, 2.0, 5.0}) {
     if (factor * power >= least) return factor * power;
@@ -107,8 +108,9 @@ class Script {
   void add_key(const PlacedKey& key) {
     const double end = key.x + kKeySamplePt;
     if (key.band != nullptr) {
-      add("set object rect from {} to {} fc rgb '{}' fs solid noborder", at(key.x + 3.0, key.y - 3.0),
-          at(end, key.y + 3.0), key.band->disturbance ? kDisturbanceColour : kSwingColour);
+      add_key_area(key, key.band->disturbance ? kDisturbanceColour : kSwingColour, "noborder");
+    } else if (key.line->mark == FigureMark::kFill) {
+      add_key_area(key, key.line->look.colour, fmt::format("border lc rgb '{}' lw 0.5", kFillBorder));
     } else {
       if (key.line->mark != FigureMark::kPoints) {
         add("set arrow from {} to {} nohead {}", at(key.x, key.y), at(end, key.y), line_style(key.line->look));
@@ -118,6 +120,11 @@ class Script {
       }
     }
     add("set label {} at {} left {}", gnuplot_quoted(key.label), at(end + 3.0, key.y), font(kKeyFont));
+  }
+
+  void add_key_area(const PlacedKey& key, const std::string& colour, const std::string& border) {
+    add("set object rect from {} to {} fc rgb '{}' fs solid {}", at(key.x + 3.0, key.y - 3.0),
+        at(key.x + kKeySamplePt, key.y + 3.0), colour, border);
   }
 
   static std::string line_style(const FigureLook& look) {
@@ -156,24 +163,36 @@ class Script {
   void add_axes(const FigurePanel& panel, const PlacedPanel& place) {
     add("{} logscale x\nset xrange [{:.7g}:{:.7g}] noextend\nset yrange [{:.7g}:{:.7g}] noextend",
         panel.log_x ? "set" : "unset", panel.x_range[0], panel.x_range[1], panel.y_range[0], panel.y_range[1]);
-    const std::string x_step =
-        panel.log_x ? "autofreq" : fmt::format("{:g}", nice_step(panel.x_range, (place.right - place.left) / kXTickPt));
-    if (place.x_numbers) {
-      add("set xtics {} format '%g' {} offset 0,0.4", x_step, font(kTickFont));
-    } else {
-      add("set xtics {} format ''", x_step);
-    }
+    add_x_ticks(panel, place);
     if (panel.y_ticks.empty()) {
       add("set ytics {:g} format '%g' {} offset 0.6,0", nice_step(panel.y_range, (place.top - place.bottom) / kYTickPt),
           font(kTickFont));
+    } else {
+      add("set ytics ({}) {} offset 0.6,0", names(panel.y_ticks, place.y_names), font(kTickFont));
+    }
+  }
+
+  void add_x_ticks(const FigurePanel& panel, const PlacedPanel& place) {
+    if (!panel.x_ticks.empty()) {
+      add("set xtics ({}) {} offset 0,0.4", names(panel.x_ticks, place.x_numbers), font(kTickFont));
       return;
     }
-    std::string names;
-    for (const FigureTick& tick : panel.y_ticks) {
-      names += fmt::format("{}{} {:.7g}", names.empty() ? "" : ", ",
-                           gnuplot_quoted(place.y_names ? tick.text : std::string()), tick.at);
+    const std::string step =
+        panel.log_x ? "autofreq" : fmt::format("{:g}", nice_step(panel.x_range, (place.right - place.left) / kXTickPt));
+    if (place.x_numbers) {
+      add("set xtics {} format '%g' {} offset 0,0.4", step, font(kTickFont));
+    } else {
+      add("set xtics {} format ''", step);
     }
-    add("set ytics ({}) {} offset 0.6,0", names, font(kTickFont));
+  }
+
+  static std::string names(const std::vector<FigureTick>& ticks, bool shown) {
+    std::string list;
+    for (const FigureTick& tick : ticks) {
+      fmt::format_to(std::back_inserter(list), "{}{} {:.7g}", list.empty() ? "" : ", ",
+                     gnuplot_quoted(shown ? tick.text : std::string()), tick.at);
+    }
+    return list;
   }
 
   // In several columns there is no room beside the axes: the values' name stands in the title.
@@ -226,8 +245,8 @@ class Script {
         return fmt::format("with linespoints {} pt {} ps {:.3f}", line_style(line.look), line.look.point,
                            kPointSize * terminal_.point);
       case FigureMark::kFill:
-        return fmt::format("with filledcurves closed fc rgb '{}' fs solid border lc rgb '#33414E' lw 0.6",
-                           line.look.colour);
+        return fmt::format("with filledcurves closed fc rgb '{}' fs solid border lc rgb '{}' lw 0.6", line.look.colour,
+                           kFillBorder);
       case FigureMark::kLine:
         break;
     }

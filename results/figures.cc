@@ -88,6 +88,12 @@ std::vector<MadeFigure> make_figures(const FigureSet& set, FigureCells& cells) {
   return figures;
 }
 
+std::vector<MadeFigure> made_figures(const std::vector<CampaignFigure>& figures) {
+  std::vector<MadeFigure> made;
+  for (const CampaignFigure& figure : figures) made.push_back({&figure.spec, figure.figure, {}});
+  return made;
+}
+
 void write_figures(const std::vector<MadeFigure>& figures, FigureFormat format, const fs::path& out) {
   std::error_code error;
   fs::create_directories(out, error);

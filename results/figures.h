@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "results/figure.h"
+#include "results/figure_campaign.h"
 #include "results/figure_cells.h"
 #include "results/figure_gnuplot.h"
 #include "results/figure_spec.h"
@@ -21,6 +22,9 @@ struct MadeFigure {
 
 // One for each figure of the set, which must outlive them. Throws StoreError if nothing of the run can be drawn.
 std::vector<MadeFigure> make_figures(const FigureSet& set, FigureCells& cells);
+
+// The figures of a campaign, which has none of the paper's. They must outlive what is returned.
+std::vector<MadeFigure> made_figures(const std::vector<CampaignFigure>& figures);
 
 // FIGURE.gp and FIGURE.dat. Throws StoreError if the directory or a file cannot be written.
 void write_figures(const std::vector<MadeFigure>& figures, FigureFormat format, const std::filesystem::path& out);

@@ -3,8 +3,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "results/campaign_result.h"
+#include "results/store.h"
 
 namespace dob {
 
@@ -28,6 +32,12 @@ struct ReportSummary {
 // or not at all. Throws StoreError: no run there, a file that cannot be written, a page that is too large even without
 // time series.
 ReportSummary write_report(const std::filesystem::path& dir, const std::filesystem::path& file,
+                           const ReportOptions& options);
+
+// The same of a run that has been read, and of what it has found if it is a campaign: the page then shows that, and of
+// single cells only those with time series.
+ReportSummary write_report(const std::filesystem::path& dir, const Run& run,
+                           const std::optional<CampaignResult>& campaign, const std::filesystem::path& file,
                            const ReportOptions& options);
 
 }  // namespace dob

@@ -4,4 +4,5 @@ import "./plot_tests.mjs";
 import "./robot_tests.mjs";
 import "./replay_tests.mjs";
 import "./page_tests.mjs";
+import "./campaign_tests.mjs";
 import "./self_tests.mjs";

@@ -9,6 +9,7 @@
 namespace dob {
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 
 Figure one_line(const std::string& label, std::vector<double> y) {
@@ -41,6 +42,27 @@ TEST(GnuplotQuoted, NothingEndsTheTextBeforeItsEnd) {
 TEST(GnuplotFiles, AGapInALineIsABlankLine) {
   const GnuplotFiles files = gnuplot_files(one_line("a", {1, std::numeric_limits<double>::quiet_NaN(), 3}), {});
   EXPECT_EQ(files.data, "# (a) \"a\"\n0 1\n\n2 3\n");
+}
+
+TEST(GnuplotFiles, AnAxisMayDescend) {
+  Figure figure = one_line("a", {1, 2});
+  figure.panels[0].x_range = {10.0, 0.0};
+  const GnuplotFiles files = gnuplot_files(figure, {});
+  EXPECT_THAT(files.script, HasSubstr("set xrange [10:0] noextend"));
+  EXPECT_THAT(files.script, HasSubstr("set xtics 2 "));
+}
+
+TEST(GnuplotFiles, NamesStandInThePlaceOfNumbersOnEitherAxis) {
+  Figure figure = one_line("a", {1, 2});
+  figure.panels[0].x_ticks = {{0.0, "mild"}, {1.0, "har\"d"}};
+  EXPECT_THAT(gnuplot_files(figure, {}).script, HasSubstr(R"(set xtics ("mild" 0, "har\042d" 1) )"));
+}
+
+TEST(GnuplotFiles, AFilledAreaIsAnAreaInTheLegend) {
+  Figure figure = one_line("many", {1, 2, 1});
+  figure.panels[0].lines[0].mark = FigureMark::kFill;
+  figure.panels[0].lines[0].look.colour = "#123456";
+  EXPECT_THAT(gnuplot_files(figure, {}).script, ContainsRegex("set object rect from .* fc rgb '#123456'"));
 }
 
 TEST(GnuplotFiles, AreTheSameForTheSameFigure) {

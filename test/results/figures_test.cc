@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "test/results/campaign_samples.h"
 #include "test/results/figure_samples.h"
 
 namespace dob {
@@ -37,6 +38,13 @@ TEST(Figures, ARunWithNothingToDrawIsRefused) {
   FigureCells cells(run.dir(), run.run, {});
   const FigureSet set = load_figures(paper_figures_file());
   EXPECT_THAT(test::store_error([&] { make_figures(set, cells); }), HasSubstr("no figure can be drawn"));
+}
+
+TEST(Figures, ThoseOfACampaignAreListedWithTheirBlocks) {
+  const std::vector<CampaignFigure> figures = campaign_figures(test::map_result(), {});
+  const std::string index = figure_index(made_figures(figures), FigureFormat::kPdf, "dir");
+  EXPECT_THAT(index, HasSubstr("| - | [map01.pdf](map01.pdf) | Share of falls, case1/tip_lateral, gains paper"));
+  EXPECT_THAT(index, Not(HasSubstr("Not drawn")));
 }
 
 TEST(Figures, NoTextBreaksTheTableOfTheIndex) {

@@ -39,7 +39,8 @@ TEST_F(Report, APageHoldsTheRunsCellsAndTheirTraces) {
   write(a);
   write(b, test::walking_trace(200));
   const Page p = page();
-  EXPECT_EQ(p.data["schema"], 2);
+  EXPECT_EQ(p.data["schema"], 3);
+  EXPECT_TRUE(p.data["campaign"].is_null());
   EXPECT_EQ(p.data["title"], "run");
   EXPECT_EQ(p.data["written_by"], Json({{"version", "1.2.3"}, {"commit", "abc"}}));
   EXPECT_EQ(p.data["observers"][1],

@@ -5,7 +5,7 @@ export type * from "./types";
 
 export const kLegs = ["LF", "RF", "LH", "RH"] as const;
 
-const kSchema = 2;
+const kSchema = 3;
 const kNotApplicable = -32768; // code of a value that does not apply
 
 // The report of this page. Throws an Error that says what is wrong with it.

@@ -21,6 +21,11 @@ export function plural(count: number, noun: string, many = `${noun}s`): string {
   return `${count} ${count === 1 ? noun : many}`;
 }
 
+// "paper, spline, duration_s=4"
+export function settingName(setting: { gains: string; planner: string; overrides: string }): string {
+  return `${setting.gains}, ${setting.planner}${setting.overrides ? `, ${setting.overrides}` : ""}`;
+}
+
 // What `dobbench` measures of a run, as the page shows it: data * factor in `unit`.
 export interface Metric {
   field: CellMetric;

@@ -1,6 +1,7 @@
 // One scenario: who is shown, the replay, and the plots, by what they are about.
 import { kLegs, type Report } from "./data";
 import { choiceButtons, h, replaceContent, select } from "./dom";
+import { settingName } from "./format";
 import { observerChips } from "./observer_chips";
 import { balanceFigures } from "./plots/balance";
 import type { Context } from "./plots/context";
@@ -69,10 +70,14 @@ export class ScenarioView {
       const held = report.traces.some((t) => t.scenario_id === s.id);
       return { value: s.id, text: `${s.id}${held ? "" : " (no time series)"}`, group: s.scenario };
     });
-    const seeds = [...new Set(report.traces.filter((t) => t.scenario_id === selection.scenario.get() && t.setting === selection.setting.get()).map((t) => t.seed))];
+    const fits = (t: { scenario_id: string }): boolean => t.scenario_id === selection.scenario.get();
+    const levels = report.campaign ? report.settings.filter((s) => report.traces.some((t) => fits(t) && t.setting === s.id)) : [];
+    const seeds = [...new Set(report.traces.filter((t) => fits(t) && t.setting === selection.setting.get()).map((t) => t.seed))];
     replaceContent(
       this.bar,
       select("Scenario", choices, selection.scenario.get(), (id) => selectScenario(report, selection, id), "scenario-select"),
+      levels.length > 1 &&
+        select("Level", levels.map((s) => ({ value: String(s.id), text: settingName(s) })), String(selection.setting.get()), (s) => selection.setting.set(Number(s)), "level-select"),
       seeds.length > 1 &&
         select("Seed", seeds.map((s) => ({ value: String(s), text: String(s) })), String(selection.seed.get()), (s) => selection.seed.set(Number(s)), "seed-select"),
     );

@@ -111,8 +111,8 @@ export function comparable(rows: readonly Row[]): Row[] {
 }
 
 // Profiles that observers of the run have, the tuned one first.
-export function profilesOf(report: Report): string[] {
-  const profiles = [...new Set(report.observers.map((o) => o.profile))].filter((p) => p !== "-");
+export function profilesOf(run: { observers: readonly ObserverInfo[] }): string[] {
+  const profiles = [...new Set(run.observers.map((o) => o.profile))].filter((p) => p !== "-");
   return profiles.sort((a, b) => Number(b === "tuned") - Number(a === "tuned"));
 }
 

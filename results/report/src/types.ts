@@ -205,10 +205,86 @@ export interface TraceInfo {
   end_s: number;
 }
 
+export interface CampaignAxis {
+  name: string;
+  unit: string; // "": a plain number
+  levels: number[]; // from the mildest to the hardest; the numbers may descend
+  logarithmic: boolean;
+}
+
+export interface LevelResult {
+  level: [number, number]; // indices into the levels of the curve's axes
+  planned: number;
+  trials: number; // that survived or fell
+  falls: number;
+  errors: number;
+  falls_ci95: Interval | null;
+  com_error_m: number | null; // median over the survivors
+  com_error_ci95: Interval | null;
+  foot_error_m: number | null;
+  foot_error_ci95: Interval | null;
+}
+
+// The level at which a share of the trials falls.
+export interface FallThreshold {
+  estimate: number;
+  ci95: Interval;
+  below: boolean; // the interval reaches the mildest level and says no more than "milder"
+  above: boolean; // the hardest one
+}
+
+export interface CampaignCurve {
+  scenario_id: string;
+  observer_id: string; // of Campaign::observers, setting of Campaign::settings
+  setting: number;
+  axes: number[];
+  factors: string[];
+  levels: LevelResult[];
+  fall_50: FallThreshold | null;
+  fall_5: FallThreshold | null;
+  non_monotone: { seed: number; fell_at: number; survived_at: number }[];
+  seeds: number;
+  trials: number;
+  falls: number;
+  errors: number;
+}
+
+export interface VarianceShare {
+  factor: string;
+  levels: number; // 0: the residual
+  share: number;
+  ci95: Interval | null;
+}
+
+export interface Factorial {
+  response: string;
+  trials: number;
+  left_out: number;
+  shares: VarianceShare[];
+}
+
+export interface Campaign {
+  kind: "limit" | "map" | "breakdown" | "factorial";
+  name: string;
+  summary: string;
+  document: string;
+  axes: CampaignAxis[];
+  factors: string[];
+  planned: number;
+  finished: number;
+  observers: ObserverInfo[];
+  settings: Setting[];
+  curves: CampaignCurve[];
+  factorial: Factorial[];
+  reasons: { reason: string; cells: number }[]; // why cells could not be run
+}
+
+// Of a campaign there are no rows and claims, and of its cells those with time series only.
 export interface Report {
   schema: number;
   title: string;
   run: Run;
+  campaign: Campaign | null;
   written_by: { version: string; commit: string };
   observers: ObserverInfo[];
   settings: Setting[];

@@ -1,7 +1,7 @@
 // The verdict in one screen: scenarios down, observers across; how many runs survived, and how far off the rest were.
 import type { ObserverInfo, Report, Row } from "./data";
 import { breakable, choiceButtons, h, replaceContent, select } from "./dom";
-import { millimetres, plural, shortName } from "./format";
+import { millimetres, plural, settingName, shortName } from "./format";
 import { kStateText, stateIcon } from "./icons";
 import { selectScenario, type Selection, variantToShow } from "./selection";
 import { type Column, focusHeading, headings, type Order, sorted } from "./sortable";
@@ -103,10 +103,6 @@ export class Verdict {
     const present = new Set(lines.flatMap((line) => line.rows.map((row) => row.scenario)));
     return [...new Set(this.report.scenarios.map((s) => s.scenario))].filter((name) => present.has(name));
   }
-}
-
-export function settingName(setting: { gains: string; planner: string; overrides: string }): string {
-  return `${setting.gains}, ${setting.planner}${setting.overrides ? `, ${setting.overrides}` : ""}`;
 }
 
 function matrix(verdict: Verdict, lines: Line[], test: string, label: string): HTMLElement {

@@ -26,7 +26,7 @@ function pageWith(values, frames, signals, points, plots) {
   const bytes = Buffer.alloc(2 * differences.length);
   differences.forEach((d, i) => bytes.writeUInt16LE(((d % 65536) + 65536) % 65536, 2 * i));
   const info = { scenario_id: "s", replay: { rate_Hz: 25, frames, signals }, plots: { buckets: points / 2, bucket_s: 0.4, points, signals: plots } };
-  const texts = { "report-data": JSON.stringify({ schema: 2, traces: [info] }), "trace-0": deflateSync(bytes).toString("base64") };
+  const texts = { "report-data": JSON.stringify({ schema: 3, traces: [info] }), "trace-0": deflateSync(bytes).toString("base64") };
   return { getElementById: (id) => (id in texts ? { textContent: texts[id] } : null) };
 }
 
@@ -309,4 +309,100 @@ test("a foot is where trunk and joints put it", async () => {
   delete values["LF/lower/angle_rad"];
   assert.equal(footPositions(robot, trace, 0), null);
   assert.equal(footPositions(null, trace, 0), null);
+});
+
+const kAmplitude = { name: "amplitude", unit: "N", levels: [10, 20, 40, 80], logarithmic: true };
+const kFriction = { name: "friction", unit: "", levels: [0.8, 0.5, 0.3], logarithmic: false };
+
+function threshold(estimate, low, high, below = false, above = false) {
+  return { estimate, ci95: [low, high], below, above };
+}
+
+function levelOf(i, trials, falls, com = null) {
+  return { level: [i, 0], planned: trials, trials, falls, errors: 0, falls_ci95: trials < 8 ? null : [falls / trials - 0.1, falls / trials + 0.1], com_error_m: com, com_error_ci95: null };
+}
+
+function curveOf(observer_id, more = {}) {
+  const curve = { scenario_id: "s", observer_id, setting: 0, axes: [0], factors: [], levels: [], fall_50: null, fall_5: null, non_monotone: [], trials: 0, falls: 0, errors: 0, ...more };
+  return { ...curve, trials: curve.levels.reduce((n, l) => n + l.trials, 0), falls: curve.levels.reduce((n, l) => n + l.falls, 0) };
+}
+
+function campaignOf(curves, axes = [kAmplitude]) {
+  const ids = [...new Set(curves.map((c) => c.observer_id))];
+  const observers = ids.map((id) => ({ id, observer: id.split("@")[0], profile: id.split("@")[1] ?? "-", oracle: false }));
+  return { axes, curves, observers, settings: ["", "a=1"].map((overrides, id) => ({ id, gains: "paper", planner: "zmp", overrides })) };
+}
+
+test("curves are compared over the same axes, and blocks are called by what tells them apart", async () => {
+  const { blocksOf } = await load("campaign/blocks");
+  const names = (curves) => blocksOf(campaignOf(curves, [kAmplitude, kFriction])).map((b) => `${b.name}: ${b.curves.map((c) => c.observer_id).join()}`);
+  assert.deepEqual(names([curveOf("a"), curveOf("b")]), ["s: a,b"]);
+  assert.deepEqual(names([curveOf("a"), curveOf("a", { axes: [1] }), curveOf("b")]), ["amplitude: a,b", "friction: a"]);
+  assert.deepEqual(names([curveOf("a"), curveOf("a", { scenario_id: "t", setting: 1 })]), ["s; paper, zmp: a", "t; paper, zmp, a=1: a"]);
+  assert.equal(blocksOf(campaignOf([curveOf("a")]))[0].whole, "s; paper, zmp; amplitude");
+});
+
+test("a threshold says what is beyond the levels, whichever way they run", async () => {
+  const { thresholdText } = await load("campaign/blocks");
+  assert.deepEqual(thresholdText(threshold(33.333, 25, 41.26), kAmplitude), ["33.3", "25.0 to 41.3"]);
+  assert.deepEqual(thresholdText(threshold(12, 6, 20, true), kAmplitude), ["12.0", "< 10 to 20.0"]);
+  assert.deepEqual(thresholdText(threshold(95, 60, 110, false, true), kAmplitude), ["> 80", "60.0 to > 80"]);
+  assert.deepEqual(thresholdText(threshold(130, 95, 160, false, true), kAmplitude), ["> 80", ""]);
+  assert.deepEqual(thresholdText(threshold(0.7, 0.6, 0.9, true), kFriction), ["0.700", "0.600 to > 0.8"], "more friction is milder");
+  assert.deepEqual(thresholdText(threshold(0.2, 0.1, 0.4, false, true), kFriction), ["< 0.3", "< 0.3 to 0.400"]);
+  assert.deepEqual(thresholdText(threshold(30, 5, 90, true, true), kAmplitude), ["30.0", "these trials do not tell"]);
+  assert.deepEqual(thresholdText(null, kAmplitude), ["\u2013", ""]);
+});
+
+test("observers keep their colours on a campaign's page, unless its axis makes others of them", async () => {
+  const { campaignStyles } = await load("campaign/blocks");
+  const campaign = campaignOf([curveOf("kalman@tuned"), curveOf("eso@tuned")]);
+  const color = (observers) => campaignStyles({ observers }, campaign, "light").get("eso@tuned").color;
+  const both = campaign.observers;
+  assert.equal(color([...both].reverse()), campaignStyles({ observers: [both[1]] }, campaignOf([curveOf("eso@tuned")]), "light").get("eso@tuned").color);
+  const others = Array.from({ length: 7 }, (_, i) => ({ id: `kalman:rate=${i}@tuned`, observer: `kalman:rate=${i}`, profile: "tuned", oracle: false }));
+  assert.equal(color(others), color(both));
+});
+
+async function drawnShares(curve, axis = kAmplitude) {
+  const { drawFallShares } = await load("plots/fall_curves");
+  const { blocksOf } = await load("campaign/blocks");
+  const campaign = campaignOf([curve], [axis]);
+  return drawFallShares({ report: { observers: campaign.observers }, campaign, block: blocksOf(campaign)[0] }, "light", 800);
+}
+
+test("a curve's points are where trials were run, with an interval from eight trials on", async () => {
+  const drawn = await drawnShares(curveOf("a", { levels: [levelOf(0, 10, 0), levelOf(1, 4, 1), levelOf(2, 0, 0), levelOf(3, 10, 5)] }));
+  const [curve] = drawn.data;
+  [10, 20, 80].forEach((x, i) => near(curve.x[i], x, 1e-9));
+  assert.deepEqual(curve.y, [0, 25, 50]);
+  near(curve.error_y.array[2], 10, 1e-9);
+  assert.equal(curve.error_y.array[1], null);
+  assert.match(curve.text[1], /^amplitude 20 N<br>1 of 4 fell$/);
+  assert.match(drawn.summary, /a: 6 of 24 fell/);
+  assert.ok("missing" in (await drawnShares(curveOf("a"))));
+});
+
+test("thresholds are bars that end at the rim where they are open, with a mark that points on", async () => {
+  const levels = [levelOf(0, 10, 5)];
+  const bars = (drawn) => drawn.data.filter((t) => t.yaxis === "y2").map((t) => [t.mode, t.x, t.marker?.symbol]);
+  const [bar, mark] = bars(await drawnShares(curveOf("a", { levels, fall_50: threshold(30, 20, 40) })));
+  assert.deepEqual([bar[1], mark[1]], [[20, 40], [30]]);
+  const [wide, , end] = bars(await drawnShares(curveOf("a", { levels, fall_50: threshold(70, 60, 100, false, true) })));
+  assert.ok(wide[1][1] > 80 && wide[1][1] < 90);
+  assert.deepEqual(end[2], ["triangle-right"]);
+  const [, beyond, none] = bars(await drawnShares(curveOf("a", { levels, fall_5: threshold(3, 1, 5, true) })));
+  assert.deepEqual([beyond[2], none], [["triangle-left"], undefined], "no mark at an estimate that is beyond");
+  const descending = bars(await drawnShares(curveOf("a", { levels, fall_50: threshold(0.4, 0.2, 0.5, false, true) }), kFriction));
+  assert.deepEqual(descending[2][2], ["triangle-right"], "harder is to the right");
+});
+
+test("shares of variance are bars, and only those with an interval have one", async () => {
+  const { drawVariance } = await load("plots/variance");
+  const shares = [{ factor: "gains", levels: 2, share: 0.6, ci95: [0.5, 0.65] }, { factor: "residual", levels: 0, share: 0.4, ci95: null }];
+  const [bars] = drawVariance({ response: "falls", trials: 40, left_out: 0, shares }, "light", 800).data;
+  assert.deepEqual(bars.x, [60, 40]);
+  near(bars.error_x.arrayminus[0], 10, 1e-9);
+  assert.equal(bars.error_x.array[1], null);
+  assert.ok("missing" in drawVariance({ response: "falls", trials: 0, left_out: 0, shares: [] }, "light", 800));
 });
