@@ -301,7 +301,9 @@ long budget_of_curve(const CampaignSpec& spec, const BatchPlan& plan) {
                                  spec.kind == CampaignKind::kMap ? "map" : "factorial", cells, curves));
   }
   if (whole) return cells;
-  const long least = least_trials(spec.kind, spec.seeds);
+  std::size_t levels = 0;
+  for (const AxisSpec& axis : spec.axes) levels = std::max(levels, axis.axis.levels.size());
+  const long least = least_trials(spec.kind, levels, spec.seeds);
   if (given > 0 && given < least) {
     throw InputError(spec.budget_place, "budget",
                      fmt::format("{} trials for {} curves; allowed: at least {} for each, {} in all", most, curves,

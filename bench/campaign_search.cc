@@ -11,7 +11,6 @@ namespace {
 
 constexpr int kScoutLevels = 6;           // spread over the ladder, its ends among them
 constexpr int kScoutSeeds = 2;            // at each of them
-constexpr int kRound = 4;                 // trials between two looks at the posterior
 constexpr double kNarrowHalf = 1.5;       // [levels] width of the 50 % threshold's interval that is enough
 constexpr double kNarrowTwentieth = 4.0;  // the same of the 5 % threshold: it needs many times the trials
 
@@ -154,10 +153,10 @@ void add_cells(const std::vector<int>& wanted, const std::vector<std::vector<std
 
 }  // namespace
 
-long least_trials(CampaignKind kind, int seeds) {
+long least_trials(CampaignKind kind, std::size_t levels, int seeds) {
   switch (kind) {
     case CampaignKind::kLimit:
-      return static_cast<long>(kScoutLevels) * std::min(kScoutSeeds, seeds) + kRound;
+      return std::min(static_cast<long>(levels), static_cast<long>(kScoutLevels)) * std::min(kScoutSeeds, seeds);
     case CampaignKind::kBreakdown:
       return 2L * seeds;
     case CampaignKind::kMap:

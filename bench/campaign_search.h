@@ -12,8 +12,8 @@ namespace dob {
 
 inline constexpr long kDefaultTrials = 60;  // of a curve of a limit, if nobody says how many
 
-// The fewest that a curve needs to say anything.
-long least_trials(CampaignKind kind, int seeds);
+// The fewest that a curve with an axis of `levels` levels needs to say anything.
+long least_trials(CampaignKind kind, std::size_t levels, int seeds);
 
 // What is known at one level of a curve.
 struct LevelState {

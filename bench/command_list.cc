@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "bench/campaign_spec.h"
 #include "bench/commands.h"
 #include "controller/wbc_solver.h"
 #include "observers/factory.h"
@@ -47,6 +48,12 @@ Json named(const std::vector<std::string>& names) {
   return list;
 }
 
+Json campaigns() {
+  Json list = Json::array();
+  for (const auto& [name, summary] : list_campaigns()) list.push_back({{"name", name}, {"summary", summary}});
+  return list;
+}
+
 Json solvers() {
   Json list = Json::array();
   for (const WbcSolverInfo& info : wbc_solvers()) list.push_back({{"name", info.name}, {"summary", info.summary}});
@@ -74,15 +81,12 @@ Command add_list_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("list", "what there is to run");
   command
       ->add_option("what", arguments->what,
-                   "scenarios, observers, profiles (with gain sets) or solvers; all by default")
-      ->check(CLI::IsMember({"scenarios", "observers", "profiles", "solvers"}));
+                   "scenarios, observers, profiles (with gain sets), solvers or campaigns; all by default")
+      ->check(CLI::IsMember({"scenarios", "observers", "profiles", "solvers", "campaigns"}));
   command->add_flag("--json", arguments->json, "as JSON");
   return [arguments] {
-    const Json all{{"scenarios", scenarios()},
-                   {"observers", observers()},
-                   {"profiles", named(list_profiles())},
-                   {"gains", named(list_gain_sets())},
-                   {"solvers", solvers()}};
+    const Json all{{"scenarios", scenarios()},         {"observers", observers()}, {"profiles", named(list_profiles())},
+                   {"gains", named(list_gain_sets())}, {"solvers", solvers()},     {"campaigns", campaigns()}};
     const auto wanted = [&](const std::string& section) {
       return arguments->what.empty() || section == arguments->what ||
              (section == "gains" && arguments->what == "profiles");

@@ -25,7 +25,7 @@ int run(const Arguments& arguments) {
   fmt::print("{}: {} of {} shards, {} of {} planned cells, {} finished{}\n", arguments.out.string(),
              merged.shards.size(), count, merged.cells, merged.planned, merged.finished,
              merged.errors > 0 ? fmt::format(", {} of them could not be run", merged.errors) : "");
-  print_missing(merged.missing, count, "are not here");
+  print_missing(merged.missing, count, "are missing");
   print_missing(merged.unfinished, count, "are not finished");
   return merged.complete() && merged.errors == 0 ? kExitOk : kExitCellErrors;
 }

@@ -9,12 +9,12 @@
 
 #include <fmt/format.h>
 
+#include "bench/campaign_plan.h"
 #include "bench/commands.h"
 #include "bench/slurm_scripts.h"
 #include "results/plain_files.h"
 #include "results/whole_file.h"
 #include "robot/text_input.h"
-#include "scenarios/document.h"
 #include "scenarios/document_limits.h"
 #include "scenarios/input_error.h"
 
@@ -35,10 +35,10 @@ struct Arguments {
 };
 
 // The text of the campaign's file. Throws InputError for what the tasks would refuse, one by one and hours later.
-std::string read_campaign_file(const fs::path& file) {
+std::string read_campaign_file(const fs::path& file, long trials) {
   if (file.extension() != ".toml" || file.stem().empty())
     throw InputError({file.string()}, "", "a campaign is a file NAME.toml");
-  parse_file(file);  // the campaign's planner is to see the file and the budget here
+  plan_campaign(read_campaign_spec(file.string(), {}, trials));
   return read_text_file(file, kMostBytes);
 }
 
@@ -104,7 +104,7 @@ void submit(const fs::path& dir) {
 }
 
 int run(const Arguments& arguments) {
-  const std::string campaign = read_campaign_file(arguments.file);
+  const std::string campaign = read_campaign_file(arguments.file, arguments.budget);
   const SlurmOptions options = complete(arguments);
   validate(options);
   const SlurmScripts scripts = slurm_scripts(options);

@@ -1,19 +1,32 @@
 #include <map>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "bench/claims_report.h"
 #include "bench/commands.h"
+#include "results/campaign_table.h"
 #include "results/table.h"
 
 namespace dob {
+
+namespace {
+
+std::string campaign_table(const std::string& dir, TableFormat format) {
+  const std::optional<Campaign> campaign = read_campaign(dir);
+  if (!campaign) throw StoreError(dir + ": is a run, not a campaign; `dobbench table` without --campaign shows it");
+  return render_campaign(campaign_result(*campaign, read_run(dir)), format);
+}
+
+}  // namespace
 
 Command add_table_command(CLI::App& app) {
   struct Arguments {
     std::string dir;
     TableOptions options;
     bool claims = false;
+    bool campaign = false;
     std::vector<std::string> recorded;
   };
   const std::map<std::string, TableFormat> formats{{"text", TableFormat::kText},
@@ -38,7 +51,13 @@ Command add_table_command(CLI::App& app) {
   CLI::Option* timing =
       command->add_flag("--timing", arguments->options.timing, "with what a serial timing pass has measured");
   CLI::Option* claims = command->add_flag("--claims", arguments->claims, "the paper's claims beside what was measured");
-  for (CLI::Option* of_comparison : {by, reference, shadow, timing}) claims->excludes(of_comparison);
+  CLI::Option* campaign =
+      command->add_flag("--campaign", arguments->campaign, "what the campaign has found: thresholds, shares of falls");
+  for (CLI::Option* of_comparison : {by, reference, shadow, timing}) {
+    claims->excludes(of_comparison);
+    campaign->excludes(of_comparison);
+  }
+  campaign->excludes(claims);
   command
       ->add_option("--recorded", arguments->recorded,
                    "with --claims: further run directories that may show why a claim does not hold")
@@ -46,6 +65,10 @@ Command add_table_command(CLI::App& app) {
   return [arguments] {
     if (arguments->claims) {
       fmt::print("{}", claims_report(read_run(arguments->dir), arguments->options.format, arguments->recorded));
+      return kExitOk;
+    }
+    if (arguments->campaign) {
+      fmt::print("{}", campaign_table(arguments->dir, arguments->options.format));
       return kExitOk;
     }
     fmt::print("{}", render_table(read_run(arguments->dir), arguments->options));

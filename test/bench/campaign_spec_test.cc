@@ -152,7 +152,7 @@ TEST_F(CampaignSpecTest, WhatIsWrongIsSaidWithItsPlace) {
 }
 
 TEST_F(CampaignSpecTest, ABudgetThatCannotBeKeptIsRefused) {
-  EXPECT_THAT(refusal("seeds = 3", "seeds = 3", 10), AllOf(HasSubstr("--budget"), HasSubstr("at least 16 for each")));
+  EXPECT_THAT(refusal("seeds = 3", "seeds = 3", 10), AllOf(HasSubstr("--budget"), HasSubstr("at least 12 for each")));
   EXPECT_THAT(refusal("[axis.amplitude]", "[budget]\ntrials = 100\ntrials_per_curve = 50\n[axis.amplitude]"),
               AllOf(HasSubstr(at(10, 1)), HasSubstr("contradict")));
 }

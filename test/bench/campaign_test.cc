@@ -77,7 +77,7 @@ TEST_F(CampaignCommand, ShardsMergeIntoTheSameTable) {
   ASSERT_EQ(dobbench("campaign push.toml --shard 2/2 --out two").exit_code, 0);
   const Answer half = dobbench("merge two --out merged");
   EXPECT_EQ(half.exit_code, 3);
-  EXPECT_NE(half.out.find("1 of 2 shards are not here: 1"), std::string::npos) << half.out;
+  EXPECT_NE(half.out.find("1 of 2 shards are missing: 1"), std::string::npos) << half.out;
   ASSERT_EQ(dobbench("campaign push.toml --shard 1/2 --out one").exit_code, 0);
   const Answer merged = dobbench("merge one two --out merged");
   EXPECT_EQ(merged.exit_code, 0) << merged.out << merged.err;
@@ -112,7 +112,7 @@ TEST_F(CampaignCommand, ShardsOfARunMergeIntoTheSameTable) {
 TEST_F(CampaignCommand, BadInputIsRefusedWithItsPlace) {
   expect_refused("campaign nowhere.toml", {"nowhere.toml"});
   expect_refused("campaign nonsense", {"nonsense.toml"});
-  expect_refused("campaign push.toml --budget 3", {"--budget", "at least 16"});
+  expect_refused("campaign push.toml --budget 3", {"--budget", "at least 12"});
   expect_refused("campaign push.toml --budget 0", {"--budget"});
   expect_refused("campaign push.toml --shard 3/2", {"--shard 3/2", "I/N"});
   expect_refused("run undisturbed --shard 0/2", {"--shard 0/2", "I/N"});
