@@ -1,6 +1,9 @@
 // What campaigns have found, made by hand for the tests of pages and figures.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
