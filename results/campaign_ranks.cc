@@ -1,6 +1,7 @@
 #include "results/campaign_ranks.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "observers/factory.h"
 #include "results/table_rows.h"
@@ -8,19 +9,13 @@
 namespace dob {
 namespace {
 
-// Larger is better.
-struct Merit {
-  double half, twentieth;
-
-  friend auto operator<=>(const Merit&, const Merit&) = default;
-};
-
 bool can_be_ranked(const CurveResult& curve) {
   const std::string& observer = curve.curve.key.observer;
   return curve.half && curve.twentieth && !is_oracle(observer.substr(0, observer.find(':')));
 }
 
-Merit merit(const CurveResult& curve, const Campaign& campaign) {
+// How hard the levels are at which a half and a twentieth of the trials fall: larger is better.
+std::pair<double, double> merit(const CurveResult& curve, const Campaign& campaign) {
   const std::vector<double>& levels = campaign.axes[static_cast<std::size_t>(curve.curve.axes[0])].levels;
   const double harder = levels.back() > levels.front() ? 1.0 : -1.0;
   return {harder * curve.half->estimate, harder * curve.twentieth->estimate};
