@@ -91,6 +91,7 @@ TEST(FallThresholdTest, MoreTrialsNarrowTheInterval) {
 TEST(FallThresholdTest, MirroredTrialsHaveMirroredThresholds) {
   const auto counts = ladder(6, [](double level) { return level < 35.0 ? 0 : level < 75.0 ? 2 : 6; });
   std::vector<LevelCount> mirrored;
+  mirrored.reserve(counts.size());
   for (const LevelCount& count : counts) {
     mirrored.push_back({110.0 - count.level, count.trials, count.trials - count.falls});
   }
