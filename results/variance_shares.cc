@@ -1,7 +1,6 @@
 #include "results/variance_shares.h"
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 #include <random>
 #include <stdexcept>

@@ -91,9 +91,11 @@ TEST(FallThresholdTest, MoreTrialsNarrowTheInterval) {
 TEST(FallThresholdTest, MirroredTrialsHaveMirroredThresholds) {
   const auto counts = ladder(6, [](double level) { return level < 35.0 ? 0 : level < 75.0 ? 2 : 6; });
   std::vector<LevelCount> mirrored;
-  for (auto count = counts.rbegin(); count != counts.rend(); ++count) {
-    mirrored.push_back({110.0 - count->level, count->trials, count->trials - count->falls});
+  mirrored.reserve(counts.size());
+  for (const LevelCount& count : counts) {
+    mirrored.push_back({110.0 - count.level, count.trials, count.trials - count.falls});
   }
+  std::reverse(mirrored.begin(), mirrored.end());
   const FallThreshold a = fall_threshold(counts, false, 0.3), b = fall_threshold(mirrored, false, 0.7);
   EXPECT_NEAR(a.estimate, 110.0 - b.estimate, 1e-6);
   EXPECT_NEAR(a.interval.low, 110.0 - b.interval.high, 1e-6);

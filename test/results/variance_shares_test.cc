@@ -161,7 +161,7 @@ TEST(VarianceSharesTest, RefusesADesignThatIsNotFull) {
 }
 
 // A design of places 0, 1, 2 ... without those in `missing`.
-PartialDesign without(const std::vector<int>& missing, Levels sizes) {
+PartialDesign without(const std::vector<int>& missing, const Levels& sizes) {
   const FactorialDesign full =
       design_of(std::vector<std::string>(sizes.size() - 1, "f"), sizes, [](const Levels&) { return 0.0; });
   PartialDesign design{full.factors, full.levels, {}};
