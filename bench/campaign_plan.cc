@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -230,6 +231,7 @@ class Planner {
       auto [key, factors] = curve_of(cell.key);
       key.seed = 0;
       const std::size_t curve = curve_at({std::move(key), axes, std::move(factors)});
+      if (!keys_.insert(cell.key).second) refuse_again(cell.key, axes);
       cell.scenario = scenario_at[cell.scenario];
       cell.observer += observers;
       plan_.cells.push_back(std::move(cell));
@@ -245,6 +247,15 @@ class Planner {
           spec_.scenarios_place, "",
           fmt::format("makes more than {} cells: fewer levels, seeds, observers or scenarios", kMostCells));
     }
+  }
+
+  // The levels 1.0 of two axes that set the same key, for example.
+  [[noreturn]] void refuse_again(const CellKey& key, const std::vector<int>& axes) const {
+    const std::string what =
+        fmt::format("makes a trial that is there already, {} {} with {}", key.scenario, key.observer, key.overrides);
+    if (axes.empty()) throw InputError(spec_.scenarios_place, "", what);
+    const AxisSpec& axis = spec_.axes[static_cast<std::size_t>(axes.back())];
+    throw InputError(axis.place, "axis." + axis.axis.name, what + "; allowed: levels of its own");
   }
 
   // Resolved scenarios of one name that differ in their overrides are told apart by a number.
@@ -285,7 +296,8 @@ class Planner {
   const CampaignSpec& spec_;
   BatchPlan plan_;
   std::map<std::pair<std::string, std::string>, std::size_t> places_;  // name and text -> index into plan_.scenarios
-  std::map<std::string, int> named_;                                   // scenarios of a name so far
+  std::set<CellKey> keys_;
+  std::map<std::string, int> named_;  // scenarios of a name so far
   std::map<std::pair<CellKey, std::vector<int>>, std::size_t> curves_;
 };
 

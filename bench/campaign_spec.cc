@@ -85,7 +85,7 @@ constexpr std::string_view kPlaceOfLevel = "{}";
 // KEY=VALUE, where braces stand for the level and for nothing else.
 bool is_override(std::string text) {
   for (std::size_t at; (at = text.find(kPlaceOfLevel)) != std::string::npos;)
-    text.replace(at, kPlaceOfLevel.size(), "1");
+    text.replace(at, kPlaceOfLevel.size(), 1, '1');
   const std::size_t equals = text.find('=');
   return equals != std::string::npos && equals > 0 && text.find_first_of("{}") == std::string::npos;
 }

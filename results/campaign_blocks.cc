@@ -31,10 +31,6 @@ std::vector<CampaignBlock> campaign_blocks(const CampaignResult& result) {
   return blocks;
 }
 
-std::string axis_name(const CampaignAxis& axis) {
-  return axis.unit.empty() ? axis.name : fmt::format("{} [{}]", axis.name, axis.unit);
-}
-
 std::string block_name(const CampaignBlock& block, const Campaign& campaign) {
   std::string name = fmt::format("{}, gains {}, planner {}", case_name(block.key), block.key.gains, block.key.planner);
   if (!block.key.overrides.empty()) name += ", set " + block.key.overrides;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "results/campaign_result.h"
+#include "results/campaign_text.h"
 
 namespace dob {
 
@@ -20,8 +21,5 @@ std::vector<CampaignBlock> campaign_blocks(const CampaignResult& result);
 
 // "case1/tip_lateral, gains paper, planner spline, set terrain.friction=0.5; amplitude [N]"
 std::string block_name(const CampaignBlock& block, const Campaign& campaign);
-
-// "amplitude [N]", or "delay" for a plain number.
-std::string axis_name(const CampaignAxis& axis);
 
 }  // namespace dob

@@ -151,6 +151,18 @@ TEST_F(CampaignSpecTest, WhatIsWrongIsSaidWithItsPlace) {
       HasSubstr("2 axes; allowed: one"));
 }
 
+TEST_F(CampaignSpecTest, ATrialThatTwoAxesShareIsRefused) {
+  const std::string text = with(with(kLimit, "kind = \"limit\"", "kind = \"breakdown\""), "[axis.amplitude]",
+                                "[axis.weak]\nset = \"disturbance.0.amplitude_N={}\"\nvalues = [10, 20]\n"
+                                "[axis.amplitude]");
+  try {
+    plan_campaign(read_campaign_spec(path(text), {}, 0));
+    FAIL() << "planned";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr(at(12, 2) + "axis.amplitude"), HasSubstr("is there already")));
+  }
+}
+
 TEST_F(CampaignSpecTest, ABudgetThatCannotBeKeptIsRefused) {
   EXPECT_THAT(refusal("seeds = 3", "seeds = 3", 10), AllOf(HasSubstr("--budget"), HasSubstr("at least 12 for each")));
   EXPECT_THAT(refusal("[axis.amplitude]", "[budget]\ntrials = 100\ntrials_per_curve = 50\n[axis.amplitude]"),

@@ -73,7 +73,7 @@ TEST_F(MergeTest, AllShardsGiveTheRunThatWasNeverDivided) {
   EXPECT_TRUE(merged.complete());
   EXPECT_EQ(merged.planned, 6U);
   EXPECT_EQ(merged.finished, 6U);
-  const Run run = read_run(dir / "merged"), undivided = read_run(whole());
+  const dob::Run run = read_run(dir / "merged"), undivided = read_run(whole());
   EXPECT_EQ(run.info.cells, keys);
   EXPECT_EQ(table(dir / "merged"), table(dir / "whole"));
   EXPECT_EQ(render_table(run, {.shadow = true}), render_table(undivided, {.shadow = true}));
