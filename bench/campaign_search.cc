@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "results/fall_threshold.h"
 
@@ -81,15 +82,17 @@ class Picker {
     if (nearest >= 0) pick(nearest);
   }
 
-  // The least tried level outside of the span; false when there is none.
+  // The least tried level outside of the span, of several the one farthest from any that has been tried: gaps are
+  // closed from their middle. False when there is none.
   bool pick_outside(const Span& span, const std::vector<LevelState>& levels) {
-    int least = -1;
+    int best = -1;
     for (int i = 0; i < size(); ++i) {
       if (unused_[index(i)] == 0 || (i >= span.mild && i <= span.hard)) continue;
-      if (least < 0 || levels[index(i)].used() < levels[index(least)].used()) least = i;
+      const auto rank = [&](int level) { return std::pair(levels[index(level)].used(), -distance(level, levels)); };
+      if (best < 0 || rank(i) < rank(best)) best = i;
     }
-    if (least >= 0) pick(least);
-    return least >= 0;
+    if (best >= 0) pick(best);
+    return best >= 0;
   }
 
   const std::vector<int>& picked() const { return picked_; }
@@ -97,6 +100,14 @@ class Picker {
  private:
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   int size() const { return static_cast<int>(unused_.size()); }
+  // To the nearest other level that has been tried.
+  static int distance(int level, const std::vector<LevelState>& levels) {
+    int nearest = static_cast<int>(levels.size());
+    for (int i = 0; i < static_cast<int>(levels.size()); ++i) {
+      if (i != level && levels[index(i)].used() > 0) nearest = std::min(nearest, std::abs(i - level));
+    }
+    return nearest;
+  }
   void pick(int level) {
     --unused_[index(level)];
     picked_.push_back(level);

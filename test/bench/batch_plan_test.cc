@@ -173,9 +173,10 @@ TEST(BatchPlan, ShadowsWatchEveryCellInTheFirstProfileAskedForButNeverThemselves
   request.profiles = {"paper", "matched"};
   const BatchPlan plan = plan_batch(request);
   ASSERT_EQ(plan.cells.size(), 3U);
-  const auto labels = [](const PlannedCell& cell) {
+  const auto labels = [&plan](const PlannedCell& cell) {
     std::vector<std::string> names;
-    for (const ObserverConfig& shadow : cell.shadows) names.push_back(shadow.label + "/" + shadow.profile);
+    for (const ObserverConfig& shadow : plan.observers[cell.observer].shadows)
+      names.push_back(shadow.label + "/" + shadow.profile);
     return names;
   };
   using List = std::vector<std::string>;

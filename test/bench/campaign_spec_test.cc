@@ -83,7 +83,7 @@ TEST_F(CampaignSpecTest, IsReadAndPlanned) {
   EXPECT_EQ(last.key.seed, 3);
   EXPECT_EQ(campaign.cells.back().curve, 1U);
   EXPECT_EQ(campaign.cells.back().level[0], 6);
-  EXPECT_EQ(plan.batch.scenarios[last.scenario].disturbances.at(0).amplitude, 160.0);
+  EXPECT_EQ(plan.batch.scenarios[last.scenario].disturbances.at(0).profile.amplitude_N, 160.0);
   EXPECT_EQ(plan.batch.scenarios[last.scenario].duration, 4.0);
 }
 
@@ -135,7 +135,7 @@ TEST_F(CampaignSpecTest, WhatIsWrongIsSaidWithItsPlace) {
   EXPECT_THAT(refusal("seeds = 3", "seeds = 0"), HasSubstr(at(7, 1) + "seeds: 0"));
   EXPECT_THAT(refusal("seeds = 3", "sedes = 3"), AllOf(HasSubstr(at(7, 1)), HasSubstr("did you mean 'seeds'")));
   EXPECT_THAT(refusal("amplitude_N={}", "amplitude={}"),
-              AllOf(HasSubstr(at(9, 2)), HasSubstr("axis.amplitude"), HasSubstr("amplitude_N")));
+              AllOf(HasSubstr(at(9, 7)), HasSubstr("axis.amplitude"), HasSubstr("amplitude_N")));
   EXPECT_THAT(refusal("amplitude_N={}", "amplitude_N"), AllOf(HasSubstr(at(10, 1)), HasSubstr("KEY={}, or")));
   EXPECT_THAT(refusal("levels = 7", "levels = 1"), HasSubstr(at(14, 1) + "axis.amplitude.levels: 1"));
   EXPECT_THAT(refusal("to = 160", "to = 20"), HasSubstr("no two levels"));
@@ -159,7 +159,7 @@ TEST_F(CampaignSpecTest, ATrialThatTwoAxesShareIsRefused) {
     plan_campaign(read_campaign_spec(path(text), {}, 0));
     FAIL() << "planned";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr(at(12, 2) + "axis.amplitude"), HasSubstr("is there already")));
+    EXPECT_THAT(error.what(), AllOf(HasSubstr(at(12, 7) + "axis.amplitude"), HasSubstr("is there already")));
   }
 }
 

@@ -1,6 +1,7 @@
 // Campaigns as a user runs them: the same table in any number of jobs, after a kill, and from shards.
 #include "results/campaign.h"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <fstream>
@@ -37,7 +38,10 @@ spacing = "log"
 
 class CampaignCommand : public test::CommandLineChildren {
  protected:
-  CampaignCommand() { std::ofstream(dir / "push.toml") << kCampaign; }
+  void SetUp() override {
+    CommandLineChildren::SetUp();
+    std::ofstream(dir / "push.toml") << kCampaign;
+  }
 
   std::string table(const std::string& run) const { return dobbench("table " + run + " --format json").out; }
 };
@@ -48,7 +52,7 @@ TEST_F(CampaignCommand, ChoosesTheSameTrialsInAnyNumberOfJobs) {
   ASSERT_EQ(dobbench("campaign push.toml --jobs 3 --out three").exit_code, 0);
   EXPECT_EQ(table("one"), table("three"));
   EXPECT_EQ(hashes("one"), hashes("three"));
-  const Run run = read_run(dir / "one");
+  const dob::Run run = read_run(dir / "one");
   EXPECT_EQ(run.info.cells.size(), 2U * 6U * 3U);
   EXPECT_LE(run.cells.size(), 40U);
   const auto falls = std::count_if(run.cells.begin(), run.cells.end(),

@@ -76,8 +76,8 @@ TEST_F(Help, TheExamplesRun) {
   std::filesystem::copy_file(DOB_SOURCE_DIR "/test/slurm/campaign.toml", dir / "limit.toml");
   std::set<std::string> left;
   for (const std::string& command : commands()) left.insert(command);
-  for (const char* command : {"list", "run", "table", "report", "figures", "compare", "verify", "timing", "analyse",
-                              "check", "tune", "slurm", "completion", "manual"}) {
+  for (const char* command : {"list", "run", "table", "report", "figures", "campaign", "merge", "compare", "verify",
+                              "timing", "analyse", "check", "tune", "slurm", "completion", "manual"}) {
     for (const std::string& example : examples(command)) {
       const Answer answer = shell(example);
       EXPECT_EQ(answer.exit_code, 0) << example << ": " << answer.err;

@@ -70,7 +70,7 @@ TEST_F(SlurmCommand, ADirectoryKeepsToItsCampaign) {
   EXPECT_NE(read(dir / "a" / "array.sbatch"), array);
   const std::string longer = read(dir / "a" / "array.sbatch");
   expect_refused("slurm limit.toml --tasks 5 --out a", {"--out", "another campaign"});
-  expect_refused("slurm limit.toml --tasks 4 --budget 5 --out a", {"--out", "another campaign"});
+  expect_refused("slurm limit.toml --tasks 4 --budget 40 --out a", {"--out", "another campaign"});
   std::ofstream(dir / "limit.toml", std::ios::app) << "# changed\n";
   expect_refused("slurm limit.toml --tasks 4 --out a", {"--out", "another campaign"});
   EXPECT_EQ(read(dir / "a" / "array.sbatch"), longer);
