@@ -106,9 +106,8 @@ TEST_F(StoreFaultsTest, AStoreOfAnotherVersionIsRefusedWithTheReason) {
   EXPECT_THAT(store_error([&] { read_run(dir); }),
               HasSubstr("store of version 4, this program reads 2 to 3: it was written by a newer dobbench"));
   execute("PRAGMA user_version = 0");
-  EXPECT_THAT(store_error([&] { RunStore::open(dir, {}); }),
-              HasSubstr("version 0, this program reads 2 to 3: it was "
-                        "written by an older dobbench"));
+  EXPECT_THAT(store_error([&] { RunStore::open(dir, {}); }), HasSubstr("version 0, this program reads 2 to 3: it was "
+                                                                       "written by an older dobbench"));
 }
 
 // A process that begins a transaction, writes, and is killed before its end. Its journal stays behind.
