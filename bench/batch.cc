@@ -1,24 +1,19 @@
 #include "bench/batch.h"
 
 #include <algorithm>
-#include <map>
+#include <malloc.h>
 #include <optional>
-#include <set>
-#include <string_view>
 
 #include <fmt/format.h>
 
 #include "bench/build_info.h"
 #include "bench/cell_files.h"
 #include "bench/cell_runs.h"
+#include "bench/observer_sources.h"
 #include "bench/progress.h"
 #include "bench/tick_log.h"
-#include "observers/pair.h"
-#include "observers/plugin.h"
-#include "results/fingerprint.h"
 #include "results/plain_files.h"
 #include "scenarios/input_error.h"
-#include "scenarios/loader.h"
 
 namespace dob {
 namespace {
@@ -26,6 +21,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kTraceRate = 100.0;  // [Hz]: 11 samples of a swing of 0.115 s, 1.6 MB for 46 s
+
+// The process of every cell begins by copying the page tables of all that is resident here, and planning has left much
+// behind that nobody needs any more.
+void give_back_free_memory() {
+  ::malloc_trim(0);
+}
 
 // All at once.
 CellChoice every_cell(std::size_t cells) {
@@ -42,7 +43,12 @@ CellChoice every_cell(std::size_t cells) {
 class Batch {
  public:
   Batch(const BatchPlan& plan, const BatchOptions& options, const CellChoice& choice)
-      : plan_(plan), options_(options), choice_(choice), store_(open_store()), stored_(store_.outcomes()) {
+      : plan_(plan),
+        options_(options),
+        choice_(choice),
+        store_(open_store()),
+        was_stored_(store_.outcomes()),
+        stored_(was_stored_) {
     if (options.log_csv) make_plain_directory(store_.dir() / "logs");
     if (options.keep != Keep::kNone) make_trace_directory();
     if (options.retry_errors) std::replace(stored_.begin(), stored_.end(), error_, std::optional<Outcome>());
@@ -51,11 +57,14 @@ class Batch {
   BatchSummary run() {
     BatchSummary summary{.dir = store_.dir()};
     Progress progress = begin_progress();
+    store_.set_complete(false);
+    give_back_free_memory();
     std::vector<std::optional<Outcome>> outcomes(plan_.cells.size());  // of the cells that were wanted so far
     while (summary.stop_signal == 0) {
       const std::vector<std::size_t> wanted = choice_.next(outcomes);
       if (wanted.empty()) {
-        store_.complete();
+        forget_all_but(outcomes);
+        store_.set_complete(true);
         break;
       }
       summary.stop_signal = run_round(wanted, progress);
@@ -82,6 +91,15 @@ class Batch {
     for (const fs::path& file : fs::directory_iterator(store_.dir() / "traces")) {
       if (file.extension() == ".part") fs::remove(file);
     }
+  }
+
+  // What was chosen when a cell could not be run, and is not when it could be, is no part of the result.
+  void forget_all_but(const std::vector<std::optional<Outcome>>& outcomes) {
+    std::vector<CellKey> others;
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      if (was_stored_[i] && !outcomes[i]) others.push_back(plan_.cells[i].key);
+    }
+    store_.remove(others);
   }
 
   // What is expected of the cells that are left: of those that may be wanted, nobody knows which they will be.
@@ -155,36 +173,8 @@ class Batch {
   const BatchOptions& options_;
   const CellChoice& choice_;
   RunStore store_;
-  std::vector<std::optional<Outcome>> stored_;  // of every cell of the plan
-};
-
-// How observers are made, with fingerprints of the libraries they come from: one that has been built anew is
-// another observer.
-class ObserverSources {
- public:
-  std::string source_of(const PlannedObserver& planned) {
-    std::string source;
-    add_libraries(source, planned.observer);
-    for (const ObserverConfig& shadow : planned.shadows) add_libraries(source, shadow);
-    return source + observer_toml(planned.observer, planned.shadows);
-  }
-
- private:
-  void add_libraries(std::string& source, const ObserverConfig& observer) {
-    const auto pair = parse_pair_name(observer.observer);
-    const auto parts = pair ? std::vector{pair->legs, pair->com} : std::vector{std::string_view(observer.observer)};
-    for (const std::string_view part : parts) {
-      if (is_plugin_path(part)) source += fmt::format("# {} holds {}\n", part, held_by(std::string(part)));
-    }
-  }
-
-  const std::string& held_by(const std::string& library) {
-    const auto [it, added] = held_.emplace(library, "");
-    if (added) it->second = file_fingerprint(library);
-    return it->second;
-  }
-
-  std::map<std::string, std::string> held_;  // library -> fingerprint
+  std::vector<std::optional<Outcome>> was_stored_;  // of every cell of the plan, when this began
+  std::vector<std::optional<Outcome>> stored_;      // the same now, without those that are to be run again
 };
 
 }  // namespace
@@ -206,9 +196,7 @@ RunInfo run_info(const BatchPlan& plan, const std::string& command_line) {
                .shards = {},
                .campaign = plan.campaign};
   if (plan.shard.planned > 0) info.shards = {plan.shard};
-  ObserverSources libraries;
-  std::vector<std::string> observers;
-  for (const PlannedObserver& observer : plan.observers) observers.push_back(libraries.source_of(observer));
+  const std::vector<std::string> observers = observer_sources(plan);
   for (const PlannedCell& cell : plan.cells) {
     info.cells.push_back(cell.key);
     info.sources.push_back({plan.resolved[cell.scenario].name, observers[cell.observer]});

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "bench/campaign_estimators.h"
+#include "bench/campaign_grid.h"
 #include "bench/campaign_search.h"
 #include "observers/pair.h"
 #include "scenarios/loader.h"
@@ -18,49 +20,6 @@ namespace dob {
 namespace {
 
 constexpr std::size_t kMostCells = 1'000'000;
-
-// One of what a factorial combines.
-struct Combination {
-  std::string observer, legs, com;
-};
-
-std::vector<Combination> combinations(const CampaignSpec& spec) {
-  std::vector<Combination> all;
-  for (const std::string& legs : spec.legs) {
-    for (const std::string& com : spec.com) {
-      const std::string observer = com == "none"    ? legs
-                                   : legs == "none" ? com
-                                                    : fmt::format("legs={},com={}", legs, com);
-      all.push_back({observer, legs, com});
-    }
-  }
-  return all;
-}
-
-// Every combination of one of each list.
-std::vector<std::vector<std::string>> grid_of(const CampaignSpec& spec) {
-  std::vector<std::vector<std::string>> all{spec.set};
-  for (const std::vector<std::string>& choices : spec.grid) {
-    std::vector<std::vector<std::string>> longer;
-    for (const std::vector<std::string>& so_far : all) {
-      for (const std::string& choice : choices) {
-        longer.push_back(so_far);
-        longer.back().push_back(choice);
-      }
-    }
-    all = std::move(longer);
-  }
-  return all;
-}
-
-std::string with_level(std::string text, double level) {
-  constexpr std::string_view kPlaceOfLevel = "{}";
-  const std::string number = fmt::format("{}", level);
-  for (std::size_t at = text.find(kPlaceOfLevel); at != std::string::npos; at = text.find(kPlaceOfLevel, at)) {
-    text.replace(at, kPlaceOfLevel.size(), number);
-  }
-  return text;
-}
 
 class Planner {
  public:
@@ -305,9 +264,10 @@ long budget_of_curve(const CampaignSpec& spec, const BatchPlan& plan) {
   const auto curves = static_cast<long>(plan.campaign->curves.size());
   const long cells = static_cast<long>(plan.cells.size());
   const bool whole = spec.kind == CampaignKind::kMap || spec.kind == CampaignKind::kFactorial;
-  const long given = spec.trials > 0 ? spec.trials / std::max(curves, 1L) : spec.trials_per_curve;
+  const bool given = spec.trials > 0 || spec.trials_per_curve > 0;
+  const long of_curve = spec.trials > 0 ? spec.trials / std::max(curves, 1L) : spec.trials_per_curve;
   const long most = spec.trials > 0 ? spec.trials : spec.trials_per_curve * curves;
-  if (whole && given > 0 && cells > most) {
+  if (whole && given && cells > most) {
     throw InputError(spec.budget_place, "budget",
                      fmt::format("{} trials, but the whole of a {} is run: {} cells on {} curves", most,
                                  spec.kind == CampaignKind::kMap ? "map" : "factorial", cells, curves));
@@ -316,18 +276,19 @@ long budget_of_curve(const CampaignSpec& spec, const BatchPlan& plan) {
   std::size_t levels = 0;
   for (const AxisSpec& axis : spec.axes) levels = std::max(levels, axis.axis.levels.size());
   const long least = least_trials(spec.kind, levels, spec.seeds);
-  if (given > 0 && given < least) {
+  if (given && of_curve < least) {
     throw InputError(spec.budget_place, "budget",
                      fmt::format("{} trials for {} curves; allowed: at least {} for each, {} in all", most, curves,
                                  least, least * curves));
   }
-  if (given > 0) return given;
+  if (given) return of_curve;
   return spec.kind == CampaignKind::kLimit ? kDefaultTrials : cells;
 }
 
 }  // namespace
 
 CampaignPlan plan_campaign(const CampaignSpec& spec) {
+  require_estimators(spec);
   CampaignPlan plan{Planner(spec).plan(), 0};
   if (plan.batch.cells.empty()) {
     throw InputError(spec.scenarios_place, "",

@@ -11,8 +11,8 @@ struct CampaignPlan {
   long trials_per_curve = 0;  // that each curve may use
 };
 
-// Throws InputError for the first thing that cannot be run, for a budget that is too small for the curves, for an axis
-// that changes nothing, and for more than a million cells.
+// Plugins are loaded in a process of their own first. Throws InputError for the first thing that cannot be run, for a
+// budget that is too small for the curves, for an axis that changes nothing, and for more than a million cells.
 CampaignPlan plan_campaign(const CampaignSpec& spec);
 
 }  // namespace dob

@@ -95,6 +95,9 @@ bool has_level(const std::string& text) {
 }
 
 AxisSpec read_axis(const Entry& entry) {
+  if (!is_bare_key(entry.key)) {
+    throw InputError(entry.node.place, "axis", "a name of letters, digits, _ and -, as in [axis.amplitude]");
+  }
   AxisSpec spec;
   spec.axis.name = entry.key;
   spec.place = entry.node.place;
@@ -118,12 +121,27 @@ AxisSpec read_axis(const Entry& entry) {
   return spec;
 }
 
+std::string key_of(const std::string& override_text) {
+  return override_text.substr(0, override_text.find('='));
+}
+
+// Of two axes that set the same key the first would have no effect.
+void require_other_keys(const AxisSpec& first, const AxisSpec& second) {
+  for (const std::string& text : second.set) {
+    const auto same = [&](const std::string& other) { return key_of(other) == key_of(text); };
+    if (std::none_of(first.set.begin(), first.set.end(), same)) continue;
+    throw InputError(second.place, "axis." + second.axis.name,
+                     fmt::format("sets {}, as axis.{} does; allowed: another key", key_of(text), first.axis.name));
+  }
+}
+
 std::vector<AxisSpec> read_axes(Reader& r, const Node& document, CampaignKind kind) {
   std::vector<AxisSpec> axes;
   r.has("axis");  // a known key
   if (const Node* table = document.find("axis")) {
     for (const Entry& entry : table_of(*table, "axis")) axes.push_back(read_axis(entry));
   }
+  if (kind == CampaignKind::kMap && axes.size() == 2) require_other_keys(axes[0], axes[1]);
   const auto refuse = [&](const char* allowed) {
     throw InputError(r.place("axis"), "axis", fmt::format("{} axes; allowed: {}", axes.size(), allowed));
   };
@@ -179,14 +197,17 @@ void read_spec(Reader& r, const Node& document, CampaignSpec& spec) {
   if (spec.kind == CampaignKind::kFactorial) {
     spec.observers_place = r.place("legs");
     spec.legs = r.texts("legs");
+    spec.com_place = r.place("com");
     spec.com = r.texts("com");
     require_once(r, "legs", spec.legs);
     require_once(r, "com", spec.com);
+    spec.profiles_place = r.place("profile");
     spec.profiles = {r.text("profile")};
   } else {
     spec.observers_place = r.place("observers");
     spec.observers = r.texts("observers");
     require_once(r, "observers", spec.observers);
+    spec.profiles_place = r.place("profiles");
     spec.profiles = r.texts("profiles");
     require_once(r, "profiles", spec.profiles);
   }

@@ -34,7 +34,7 @@ struct CampaignSpec {
   int seeds = 0;                               // 1 to this, at every level
   long trials = 0;                             // budget of the whole campaign; 0: none
   long trials_per_curve = 0;                   // the same of each curve; 0: none
-  Place scenarios_place, observers_place, set_place, budget_place;
+  Place scenarios_place, observers_place, com_place, profiles_place, set_place, budget_place;
 };
 
 // `request`: a file, or the name of a shipped campaign (scenarios/campaigns/NAME.toml). `overrides` are laid over every

@@ -10,7 +10,6 @@
 #include "bench/campaign_search.h"
 #include "bench/commands.h"
 #include "bench/number_between.h"
-#include "bench/plugin_consent.h"
 #include "bench/shard.h"
 #include "results/campaign_result.h"
 #include "results/campaign_table.h"
@@ -27,15 +26,6 @@ struct Arguments {
   bool plan_only = false;
   BatchOptions options;
 };
-
-void load_plugins_apart(const CampaignSpec& spec) {
-  BatchRequest request;
-  for (const auto* names : {&spec.observers, &spec.legs, &spec.com}) {
-    request.observers.insert(request.observers.end(), names->begin(), names->end());
-  }
-  request.profiles = spec.profiles;
-  try_plugins(request);
-}
 
 void print_plan(const CampaignPlan& plan, std::size_t most) {
   double simulated = 0.0;
@@ -56,7 +46,6 @@ BatchSummary run_or_say_how_to_go_on(const CampaignPlan& plan, const BatchOption
 
 int run(Arguments& arguments) {
   const CampaignSpec spec = read_campaign_spec(arguments.file, arguments.overrides, arguments.trials);
-  load_plugins_apart(spec);
   CampaignPlan plan = plan_campaign(spec);
   take_shard(plan.batch, parse_shard(arguments.shard));
   const CellChoice choice = campaign_choice(plan);

@@ -131,6 +131,15 @@ BatchSummary run_or_say_how_to_go_on(const BatchPlan& plan, const BatchOptions& 
   }
 }
 
+// The plan is gone when the results are read: of a large batch either is large.
+BatchSummary plan_and_run(const Arguments& arguments) {
+  try_plugins(arguments.request);
+  BatchPlan plan = plan_batch(arguments.request);
+  take_shard(plan, parse_shard(arguments.shard));
+  warn(plan.warnings);
+  return run_or_say_how_to_go_on(plan, arguments.options);
+}
+
 int run(Arguments& arguments, const CLI::App& command) {
   if (arguments.options.resume && asks_for_nothing(command)) take_plan_of_run(arguments, command);
   if (command.count("--log-rate") > 0 && arguments.log != "csv") throw InputError("--log-rate: needs --log csv");
@@ -139,11 +148,7 @@ int run(Arguments& arguments, const CLI::App& command) {
   arguments.options.log_csv = arguments.log == "csv";
   arguments.options.keep = arguments.keep;
   arguments.options.progress = ::isatty(STDERR_FILENO) == 1;
-  try_plugins(arguments.request);
-  BatchPlan plan = plan_batch(arguments.request);
-  take_shard(plan, parse_shard(arguments.shard));
-  warn(plan.warnings);
-  const BatchSummary summary = run_or_say_how_to_go_on(plan, arguments.options);
+  const BatchSummary summary = plan_and_run(arguments);
   const Run finished = read_run(summary.dir);
   fmt::print("{}", render_table(finished, {}));
   if (!arguments.request.shadows.empty()) fmt::print("\n{}", render_table(finished, {.shadow = true}));

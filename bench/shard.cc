@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "bench/observer_sources.h"
 #include "results/fingerprint.h"
 #include "scenarios/input_error.h"
-#include "scenarios/loader.h"
 
 namespace dob {
 namespace {
@@ -26,7 +26,7 @@ std::string fingerprint_of(const BatchPlan& plan) {
     all.add({"", 1});  // so that "ab", "c" is not "a", "bc"
   };
   for (const ResolvedScenario& scenario : plan.resolved) add(scenario.name), add(scenario.toml);
-  for (const PlannedObserver& planned : plan.observers) add(observer_toml(planned.observer, planned.shadows));
+  for (const std::string& source : observer_sources(plan)) add(source);
   for (const PlannedCell& cell : plan.cells) {
     const CellKey& key = cell.key;
     for (const std::string* text :

@@ -21,9 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 12> kTables{
-    "batch",  "scenario", "observer",         "cell",  "result",   "checkpoint",
-    "shadow", "timing",   "timing_histogram", "shard", "campaign", "campaign_cell"};
+constexpr std::array<std::string_view, 13> kTables{
+    "batch",  "scenario",         "observer", "cell",     "result",        "checkpoint", "shadow",
+    "timing", "timing_histogram", "shard",    "campaign", "campaign_cell", "merged"};
 constexpr std::string_view kView = "overview";
 
 // Words with which a table's columns do more than hold values.

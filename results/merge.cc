@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -30,6 +31,7 @@ struct Part {
   std::vector<RunShard> shards;
   std::string campaign;                          // its document, "" for none
   std::map<std::string, std::string> scenarios;  // file -> hash
+  bool merged = false;                           // itself a merge
 };
 
 std::map<std::string, std::string> read_scenarios(SQLite::Database& database) {
@@ -42,7 +44,12 @@ std::map<std::string, std::string> read_scenarios(SQLite::Database& database) {
 Part read_part(const fs::path& dir) {
   SQLite::Database database = open_database(dir);
   return with_database(dir / kDatabaseFile, [&] {
-    Part part{dir, {}, read_shards(database), campaign_document(database), read_scenarios(database)};
+    Part part{dir,
+              {},
+              read_shards(database),
+              campaign_document(database),
+              read_scenarios(database),
+              !columns_of(database, "merged").empty()};
     const std::map<long, Provenance> programs = read_programs(database);
     if (programs.empty()) throw StoreError(dir.string() + ": has no batch");
     part.program = programs.begin()->second;
@@ -92,26 +99,34 @@ std::string read_scenario_text(const fs::path& file, const std::string& hash) {
   throw StoreError(file.string() + ": is not the scenario that the run began with");
 }
 
-void copy_files(const Part& part, const fs::path& out) {
+// As write_whole_file, for what may be large.
+void copy_whole_file(const fs::path& from, const fs::path& to) {
+  require_plain_file(to);
+  const fs::path part = to.string() + ".part";
+  require_plain_file(part);
+  std::error_code error;
+  fs::copy_file(from, part, fs::copy_options::overwrite_existing, error);
+  if (!error) fs::rename(part, to, error);
+  if (error) throw WriteError(fmt::format("{}: cannot be written: {}", to.string(), error.message()));
+}
+
+void copy_scenarios(const Part& part, const fs::path& out) {
   make_plain_directory(out / "scenarios");
   for (const auto& [name, hash] : part.scenarios) {
     check_names({{name, ""}});
     const fs::path file = fs::path("scenarios") / (name + ".toml");
-    std::error_code error;
-    if (fs::exists(out / file, error)) continue;
     write_whole_file(out / file, read_scenario_text(part.dir / file, hash));
   }
+}
+
+void copy_series(const Part& part, const fs::path& out) {
   for (const char* directory : {"traces", "logs"}) {
     std::error_code error;
     if (!fs::is_directory(fs::symlink_status(part.dir / directory, error))) continue;
     make_plain_directory(out / directory);
     for (const fs::path& file : fs::directory_iterator(part.dir / directory)) {
       const bool plain = fs::is_regular_file(fs::symlink_status(file)) && is_plain_name(file.filename().string());
-      if (!plain || file.extension() == ".part") continue;
-      const fs::path copy = out / directory / file.filename();
-      require_plain_file(copy);
-      fs::copy_file(file, copy, fs::copy_options::overwrite_existing, error);
-      if (error) throw WriteError(fmt::format("{}: cannot be written: {}", copy.string(), error.message()));
+      if (plain && file.extension() != ".part") copy_whole_file(file, out / directory / file.filename());
     }
   }
 }
@@ -141,41 +156,77 @@ std::vector<Part> read_parts(const std::vector<fs::path>& dirs, const fs::path& 
     if (fs::equivalent(dir, out, error)) throw StoreError(dir.string() + ": is to be merged and is --out, too");
     parts.push_back(read_part(dir));
   }
+  if (parts.empty()) throw StoreError("nothing to merge");
   std::stable_sort(parts.begin(), parts.end(),
                    [](const Part& a, const Part& b) { return a.shards.front().number < b.shards.front().number; });
-  if (is_run_directory(out)) parts.push_back(read_part(out));
   for (const Part& part : parts) require_same(parts.front(), part);
   return parts;
 }
+
+std::optional<Part> read_earlier(const fs::path& out, const Part& first) {
+  if (!is_run_directory(out)) return std::nullopt;
+  Part earlier = read_part(out);
+  if (!earlier.merged) throw StoreError(out.string() + ": holds a run, or a shard of one, and no merge of shards");
+  require_same(first, earlier);
+  return earlier;
+}
+
+// Builds the database beside the one that is there, if one is, and takes its place when it is whole.
+class Merge {
+ public:
+  Merge(const std::vector<Part>& parts, const fs::path& out) : parts_(parts), out_(out), file_(out / kUnfinished) {}
+  Merge(const Merge&) = delete;
+  Merge& operator=(const Merge&) = delete;
+  ~Merge() {
+    std::error_code error;
+    fs::remove(file_, error);
+  }
+
+  MergeSummary run() {
+    const std::optional<Part> earlier = read_earlier(out_, parts_.front());
+    std::error_code error;
+    fs::remove(file_, error);
+    MergeSummary summary;
+    try {
+      SQLite::Database database = create_database(file_);
+      database.exec("CREATE TABLE merged(id INTEGER); PRAGMA journal_mode = OFF");
+      MergedRows rows(database);
+      for (const Part& part : parts_) rows.add(part.dir, part.shards);
+      if (earlier) rows.add(out_, earlier->shards, true);
+      summary = summary_of(database);
+    } catch (const SQLite::Exception& sqlite) {
+      throw WriteError(fmt::format("{}: {}", file_.string(), sqlite.what()));
+    }
+    for (const Part& part : parts_) {
+      copy_scenarios(part, out_);
+      copy_series(part, out_);
+    }
+    fs::rename(file_, out_ / kDatabaseFile, error);
+    if (!error) return summary;
+    throw WriteError(fmt::format("{}: cannot be written: {}", (out_ / kDatabaseFile).string(), error.message()));
+  }
+
+ private:
+  const std::vector<Part>& parts_;
+  const fs::path& out_;
+  fs::path file_;
+};
 
 }  // namespace
 
 MergeSummary merge_runs(const std::vector<fs::path>& dirs, const fs::path& out) {
   const std::vector<Part> parts = read_parts(dirs, out);
-  if (parts.empty()) throw StoreError("nothing to merge");
-  if (!is_run_directory(out)) prepare_directory(out);
-  const RunLock lock(out);
-  for (const Part& part : parts) {
-    if (part.dir != out) copy_files(part, out);
-  }
-  const fs::path unfinished = out / kUnfinished;
   std::error_code error;
-  fs::remove(unfinished, error);
-  MergeSummary summary;
+  const bool made = !fs::exists(out, error);
+  if (!is_run_directory(out)) prepare_directory(out);
   try {
-    SQLite::Database database = create_database(unfinished);
-    database.exec("PRAGMA journal_mode = OFF");
-    MergedRows rows(database);
-    for (const Part& part : parts) rows.add(part.dir, part.shards);
-    summary = summary_of(database);
-  } catch (const SQLite::Exception& sqlite) {
-    throw WriteError(fmt::format("{}: {}", unfinished.string(), sqlite.what()));
+    const RunLock lock(out);
+    return Merge(parts, out).run();
+  } catch (const StoreError&) {
+    if (!is_run_directory(out)) fs::remove(out / kLockFile, error);
+    if (made) fs::remove(out, error);
+    throw;
   }
-  fs::rename(unfinished, out / kDatabaseFile, error);
-  if (error) {
-    throw WriteError(fmt::format("{}: cannot be written: {}", (out / kDatabaseFile).string(), error.message()));
-  }
-  return summary;
 }
 
 std::vector<int> missing_shards(const std::vector<RunShard>& shards) {

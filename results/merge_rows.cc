@@ -15,7 +15,7 @@ MergedRows::MergedRows(SQLite::Database& database) : database_(database) {
   distrust(database, 1);
 }
 
-void MergedRows::add(const std::filesystem::path& dir, const std::vector<RunShard>& shards) {
+void MergedRows::add(const std::filesystem::path& dir, const std::vector<RunShard>& shards, bool earlier) {
   part_ = dir.string();
   SQLite::Statement attach(database_, "ATTACH ? AS part");
   attach.bind(1, (dir / kDatabaseFile).string());
@@ -23,12 +23,15 @@ void MergedRows::add(const std::filesystem::path& dir, const std::vector<RunShar
   {
     SQLite::Transaction transaction(database_);
     add_plan();
+    choose_cells(shards.front().count, earlier);
     require_agreement();
-    add_results();
-    for (const RunShard& shard : shards) add_shard(shard);
+    const long batches = add_batches();
+    add_results(batches);
+    add_timings(batches);
+    for (const RunShard& shard : shards) add_shard(shard, earlier);
     transaction.commit();
   }
-  database_.exec("DROP TABLE observer_of; DETACH part");
+  database_.exec("DROP TABLE temp.observer_of; DROP TABLE temp.offered; DETACH part");
 }
 
 void MergedRows::add_plan() {
@@ -58,7 +61,7 @@ void MergedRows::require_agreement() {
             "is another one in another part");
   refuse_if(
       "SELECT theirs.cell FROM part.result AS theirs JOIN result AS ours USING(cell)"
-      "  WHERE theirs.outcome != 'error' AND ours.outcome != 'error'"
+      "  WHERE theirs.cell IN temp.offered AND theirs.outcome != 'error' AND ours.outcome != 'error'"
       "  AND (theirs.state_hash != ours.state_hash OR theirs.outcome != ours.outcome)",
       "has come out differently in another part (`dobbench verify` tells which one can be repeated)");
 }
@@ -69,21 +72,42 @@ void MergedRows::refuse_if(const std::string& query, std::string_view what) {
   throw StoreError(fmt::format("{}: cell {} {}", part_, row.getColumn(0).getInt64(), what));
 }
 
-// Only those of cells that have no result yet; one that could not be run gives way to one that could.
-void MergedRows::add_results() {
+// `offered`: cells of the part that may be taken. A shard that is there replaces what an earlier merge has of it: it
+// may have chosen other cells since.
+void MergedRows::choose_cells(int shards, bool earlier) {
+  const std::string others =
+      earlier ? fmt::format(" WHERE IFNULL(curve, cell.id - 1) % {} + 1 NOT IN (SELECT number FROM shard)", shards)
+              : "";
+  database_.exec(
+      "CREATE TEMP TABLE offered AS SELECT cell.id AS cell FROM part.cell AS cell"
+      "  LEFT JOIN part.campaign_cell AS place ON place.cell = cell.id" +
+      others);
+}
+
+// Those that have computed something of the part; returns by how much their ids have grown.
+long MergedRows::add_batches() {
   const long before = static_cast<long>(database_.execAndGet("SELECT IFNULL(MAX(id), 0) FROM batch").getInt64());
   const std::set<std::string> batch = columns_of(database_, "batch");
   std::vector<std::string> columns(batch.begin(), batch.end());
   std::erase(columns, "id");
   database_.exec(
-      fmt::format("INSERT INTO batch(id, {0}) SELECT id + {1}, {0} FROM part.batch", fmt::join(columns, ", "), before));
+      fmt::format("INSERT INTO batch(id, {0}) SELECT id + {1}, {0} FROM part.batch WHERE {1} = 0"
+                  "  OR id IN (SELECT batch FROM part.result WHERE cell IN temp.offered"
+                  "            UNION SELECT batch FROM part.timing WHERE cell IN temp.offered)",
+                  fmt::join(columns, ", "), before));
+  return before;
+}
+
+// Only those of cells that have no result yet; one that could not be run gives way to one that could.
+void MergedRows::add_results(long batches) {
   database_.exec(
       "DELETE FROM result WHERE outcome = 'error' AND cell IN"
-      "  (SELECT cell FROM part.result WHERE outcome != 'error');"
-      "CREATE TEMP TABLE wanted AS SELECT cell FROM part.result WHERE cell NOT IN (SELECT cell FROM result);");
+      "  (SELECT cell FROM part.result WHERE outcome != 'error' AND cell IN temp.offered);"
+      "CREATE TEMP TABLE wanted AS SELECT cell FROM part.result WHERE cell IN temp.offered"
+      "  AND cell NOT IN (SELECT cell FROM result);");
   std::vector<std::string> numbers = result_columns();
   const std::string names = fmt::format("{}", fmt::join(numbers, ", "));
-  numbers.at(1) = fmt::format("batch + {}", before);
+  numbers.at(1) = fmt::format("batch + {}", batches);
   database_.exec(fmt::format("INSERT INTO result({}) SELECT {} FROM part.result WHERE cell IN temp.wanted", names,
                              fmt::join(numbers, ", ")));
   for (const char* table : {"checkpoint", "shadow"}) {
@@ -93,27 +117,35 @@ void MergedRows::add_results() {
                     table));
   }
   database_.exec("DROP TABLE temp.wanted");
-  add_timings(before);
 }
 
-void MergedRows::add_timings(long before) {
+// A cell's timing with its histograms, of the first part that has any.
+void MergedRows::add_timings(long batches) {
+  database_.exec(
+      "CREATE TEMP TABLE wanted AS SELECT cell FROM part.timing WHERE cell IN temp.offered"
+      "  AND cell NOT IN (SELECT cell FROM timing)");
   std::vector<std::string> numbers = with_columns({"cell", "batch"}, kTimingColumns);
   const std::string names = fmt::format("{}", fmt::join(numbers, ", "));
-  numbers.at(1) = fmt::format("batch + {}", before);
-  database_.exec(
-      fmt::format("INSERT OR IGNORE INTO timing({}) SELECT {} FROM part.timing", names, fmt::join(numbers, ", ")));
+  numbers.at(1) = fmt::format("batch + {}", batches);
+  database_.exec(fmt::format("INSERT INTO timing({}) SELECT {} FROM part.timing WHERE cell IN temp.wanted", names,
+                             fmt::join(numbers, ", ")));
   SQLite::Statement table(database_, "SELECT 1 FROM part.sqlite_schema WHERE name = ?");
   table.bind(1, kHistogramTable);
-  if (!table.executeStep()) return;
-  create_histogram_table(database_);
-  database_.exec(fmt::format("INSERT OR IGNORE INTO {0} SELECT * FROM part.{0}", kHistogramTable));
+  if (table.executeStep()) {
+    create_histogram_table(database_);
+    database_.exec(fmt::format("INSERT INTO {0} SELECT * FROM part.{0} WHERE cell IN temp.wanted", kHistogramTable));
+  }
+  table.reset();
+  database_.exec("DROP TABLE temp.wanted");
 }
 
-void MergedRows::add_shard(const RunShard& shard) {
+void MergedRows::add_shard(const RunShard& shard, bool earlier) {
   SQLite::Statement there(database_, "SELECT complete FROM shard WHERE number = ?");
   there.bind(1, shard.number);
-  const bool complete = there.executeStep() && there.getColumn(0).getInt() != 0;
+  const bool added = there.executeStep();
+  const bool complete = added && there.getColumn(0).getInt() != 0;
   there.reset();
+  if (added && earlier) return;
   RunShard row = shard;
   row.complete = shard.complete || complete;
   write_shard(database_, row);

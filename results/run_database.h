@@ -13,6 +13,7 @@
 //   timing_histogram  how the tick and QP times of that pass are distributed; made with the first timing, so that runs
 //                     from before it was kept are of the same version and simply have none
 //   shard       which parts of the plan this is, and of what plan; one row, several after a merge
+//   merged      in a merge only, and empty: what is merged to it replaces what is there
 //   campaign    what a campaign asks, as JSON (results/campaign_store.cc); no row in a run that is none
 //   campaign_cell  curve and levels of a campaign's cells
 //   overview    (view) everything that is known of a cell as one row

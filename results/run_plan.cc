@@ -307,6 +307,10 @@ void require_same_plan(const fs::path& dir, const RunInfo& now, const std::vecto
            fmt::format("the scenario {0}, or its robot, is not the one that the run began with, scenarios/{0}.toml",
                        scenario.name));
   }
+  // Of what no cell tells: another budget, or kind, of a campaign chooses other cells.
+  if (!run.shards.empty() && !now.shards.empty() && run.shards.front().plan != now.shards.front().plan) {
+    refuse(dir, "the campaign's file or its budget is not the one that it began with");
+  }
 }
 
 }  // namespace dob

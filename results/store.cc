@@ -164,8 +164,19 @@ std::vector<std::optional<Outcome>> RunStore::outcomes() {
   });
 }
 
-void RunStore::complete() {
-  impl_->write([&] { impl_->database.exec("UPDATE shard SET complete = 1"); });
+void RunStore::set_complete(bool complete) {
+  impl_->write([&] { impl_->database.exec(fmt::format("UPDATE shard SET complete = {}", complete ? 1 : 0)); });
+}
+
+void RunStore::remove(const std::vector<CellKey>& cells) {
+  impl_->write([&] {
+    for (const CellKey& cell : cells) {
+      const long id = impl_->id_of(cell);
+      for (const char* table : {"result", "checkpoint", "shadow"}) {
+        impl_->database.exec(fmt::format("DELETE FROM {} WHERE cell = {}", table, id));
+      }
+    }
+  });
 }
 
 const fs::path& RunStore::dir() const noexcept {

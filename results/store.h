@@ -102,8 +102,11 @@ class RunStore {
   // How each planned cell ended, in their order; nullopt: it has not been run.
   std::vector<std::optional<Outcome>> outcomes();
 
-  // Nothing is left to be run: what is missing of a merge is then missing elsewhere.
-  void complete();
+  // Whether nothing is left to be run: what is missing of a merge is then missing elsewhere.
+  void set_complete(bool complete);
+
+  // Forgets how these cells ended, if they have.
+  void remove(const std::vector<CellKey>& cells);
 
   const std::filesystem::path& dir() const noexcept;
 

@@ -169,6 +169,39 @@ TEST_F(CampaignSpecTest, ABudgetThatCannotBeKeptIsRefused) {
               AllOf(HasSubstr(at(10, 1)), HasSubstr("contradict")));
 }
 
+TEST_F(CampaignSpecTest, ABudgetBelowOneTrialACurveIsNotNone) {
+  EXPECT_THAT(refusal("seeds = 3", "seeds = 3", 1), AllOf(HasSubstr("1 trials for 2 curves"), HasSubstr("24 in all")));
+}
+
+TEST_F(CampaignSpecTest, NamesOfAxesAreWords) {
+  EXPECT_THAT(refusal("[axis.amplitude]", "[axis.\"a\\u001b[31m\"]"), HasSubstr("a name of letters"));
+  EXPECT_THAT(refusal("[axis.amplitude]", "[axis.\"\"]"), HasSubstr("a name of letters"));
+}
+
+TEST_F(CampaignSpecTest, AxesOfAMapSetDifferentKeys) {
+  const std::string text = with(with(kLimit, "kind = \"limit\"", "kind = \"map\""), "[axis.amplitude]",
+                                "[axis.weak]\nset = \"disturbance.0.amplitude_N={}\"\nvalues = [10, 20]\n"
+                                "[axis.amplitude]");
+  EXPECT_THROW(read_campaign_spec(path(text), {}, 0), InputError);
+}
+
+TEST_F(CampaignSpecTest, EstimatorsOfAFactorialStandOnTheirSide) {
+  const auto refused = [&](const std::string& legs, const std::string& com) {
+    const std::string text = "kind = \"factorial\"\nsummary = \"s\"\nscenarios = \"case3/left_10\"\nlegs = [" + legs +
+                             "]\ncom = [" + com + "]\nprofile = \"tuned\"\nseeds = 2\n";
+    try {
+      plan_campaign(read_campaign_spec(path(text), {}, 0));
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("nothing");
+  };
+  EXPECT_THAT(refused("\"none\", \"com_wrench\"", "\"none\""), HasSubstr(at(4, 1) + "legs: 'com_wrench'"));
+  EXPECT_THAT(refused("\"none\"", "\"none\", \"momentum\""), HasSubstr(at(5, 1) + "com: 'momentum'"));
+  EXPECT_THAT(refused("\"none\", \"legs=momentum,com=com_wrench\"", "\"none\""), HasSubstr(at(4, 1) + "legs: "));
+  EXPECT_EQ(refused("\"none\", \"eso\"", "\"none\", \"com_eso\""), "nothing");
+}
+
 TEST_F(CampaignSpecTest, ShippedCampaignsCanBePlanned) {
   const auto campaigns = list_campaigns();
   ASSERT_FALSE(campaigns.empty());

@@ -76,6 +76,19 @@ TEST_F(CampaignCommand, IsKilledAndEndsInTheSameTable) {
   EXPECT_EQ(hashes("whole"), hashes("killed"));
 }
 
+TEST_F(CampaignCommand, CellsThatCouldNotBeRunAndThenCanLeaveNoOtherTable) {
+  ASSERT_EQ(dobbench("campaign push.toml --out whole").exit_code, 0);
+  ASSERT_EQ(dobbench("campaign push.toml --timeout 0.02 --out late").exit_code, 3);
+  const Answer retried = dobbench("campaign push.toml --resume --retry-errors --out late");
+  EXPECT_EQ(retried.exit_code, 0) << retried.err;
+  EXPECT_EQ(table("whole"), table("late"));
+}
+
+TEST_F(CampaignCommand, AnotherBudgetDoesNotGoOn) {
+  ASSERT_EQ(dobbench("campaign push.toml --budget 24 --out small").exit_code, 0);
+  expect_refused("campaign push.toml --budget 40 --resume --out small", {"cannot be resumed", "budget"});
+}
+
 TEST_F(CampaignCommand, ShardsMergeIntoTheSameTable) {
   ASSERT_EQ(dobbench("campaign push.toml --out whole").exit_code, 0);
   ASSERT_EQ(dobbench("campaign push.toml --shard 2/2 --out two").exit_code, 0);

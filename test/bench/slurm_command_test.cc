@@ -51,12 +51,12 @@ TEST_F(SlurmCommand, BadInputIsRefusedInOneLineAndNothingIsWritten) {
 }
 
 TEST_F(SlurmCommand, WritesScriptsAndACopyOfTheCampaign) {
-  const Answer answer = dobbench("slurm limit.toml --tasks 4 --budget 32");
+  const Answer answer = dobbench("slurm limit.toml --tasks 4 --budget 64");
   EXPECT_EQ(answer.exit_code, 0) << answer.err;
   const fs::path out = dir / "dobbench-results" / "limit";
   EXPECT_EQ(answer.out, fs::canonical(out).string() + ": array.sbatch (4 tasks), merge.sbatch, submit\n");
   EXPECT_EQ(read(out / "campaign" / "limit.toml"), read(dir / "limit.toml"));
-  EXPECT_THAT(read(out / "array.sbatch"), HasSubstr(" --budget 32\n"));
+  EXPECT_THAT(read(out / "array.sbatch"), HasSubstr(" --budget 64\n"));
   EXPECT_TRUE(fs::is_directory(out / "logs"));
   EXPECT_NE(fs::status(out / "submit").permissions() & fs::perms::owner_exec, fs::perms::none);
 }
@@ -70,7 +70,7 @@ TEST_F(SlurmCommand, ADirectoryKeepsToItsCampaign) {
   EXPECT_NE(read(dir / "a" / "array.sbatch"), array);
   const std::string longer = read(dir / "a" / "array.sbatch");
   expect_refused("slurm limit.toml --tasks 5 --out a", {"--out", "another campaign"});
-  expect_refused("slurm limit.toml --tasks 4 --budget 40 --out a", {"--out", "another campaign"});
+  expect_refused("slurm limit.toml --tasks 4 --budget 80 --out a", {"--out", "another campaign"});
   std::ofstream(dir / "limit.toml", std::ios::app) << "# changed\n";
   expect_refused("slurm limit.toml --tasks 4 --out a", {"--out", "another campaign"});
   EXPECT_EQ(read(dir / "a" / "array.sbatch"), longer);

@@ -71,7 +71,7 @@ TEST_F(CampaignStoreTest, ARunThatIsNoneHasNone) {
 }
 
 TEST_F(CampaignStoreTest, SurvivesAMerge) {
-  RunStore::create(dir, info, {}).complete();
+  RunStore::create(dir, info, {}).set_complete(true);
   merge_runs({dir}, temporary.path() / "merged");
   const auto back = read_campaign(temporary.path() / "merged");
   ASSERT_TRUE(back.has_value());

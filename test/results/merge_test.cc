@@ -57,7 +57,7 @@ class MergeTest : public ::testing::Test {
     RunStore store = RunStore::create(dir / name, info, scenarios);
     const std::size_t count = std::min(finished, info.cells.size());
     for (std::size_t i = 0; i < count; ++i) store.append(result(info.ids[i]));
-    if (count == info.cells.size()) store.complete();
+    if (count == info.cells.size()) store.set_complete(true);
     return dir / name;
   }
 
@@ -168,6 +168,45 @@ TEST_F(MergeTest, ADirectoryWithSomethingElseInItIsLeftAlone) {
   EXPECT_THAT(store_error([&] { merge_runs({odd()}, dir / "full"); }), HasSubstr("not a run directory"));
   EXPECT_THAT(store_error([&] { merge_runs({dir / "odd"}, dir / "odd"); }), HasSubstr("is --out, too"));
   EXPECT_THAT(store_error([&] { merge_runs({dir / "nowhere"}, dir / "merged"); }), HasSubstr("no such directory"));
+}
+
+TEST_F(MergeTest, ARefusedMergeLeavesEverythingAsItWas) {
+  fs::create_directory(odd() / "traces");
+  test::append_text(dir / "odd" / "traces" / "00001_s.dobtrace", "trace");
+  merge_runs({dir / "odd"}, dir / "merged");
+  const RunInfo info = info_of({1, 3, 5}, shard(1, 2));
+  {
+    RunStore store = RunStore::create(dir / "other", info, scenarios);
+    CellResult cell = result(3);
+    cell.state_hash += 1;
+    store.append(cell);
+  }
+  fs::create_directory(dir / "other" / "traces");
+  test::append_text(dir / "other" / "traces" / "00001_s.dobtrace", "junk");
+  const auto merge = [&](const fs::path& out) { merge_runs({dir / "odd", dir / "other"}, out); };
+  EXPECT_NE(store_error([&] { merge(dir / "merged"); }), "");
+  EXPECT_EQ(test::read_text(dir / "merged" / "traces" / "00001_s.dobtrace"), "trace");
+  EXPECT_FALSE(fs::exists(dir / "merged" / "run.sqlite.part"));
+  EXPECT_NE(store_error([&] { merge(dir / "new"); }), "");
+  EXPECT_FALSE(fs::exists(dir / "new"));
+}
+
+TEST_F(MergeTest, AShardIsNoPlaceForAMerge) {
+  EXPECT_THAT(store_error([&] { merge_runs({odd()}, even()); }), HasSubstr("holds a run, or a shard of one"));
+  EXPECT_EQ(read_run(dir / "even").cells.size(), 3U);
+}
+
+// A campaign that was gone on with may have chosen other cells than those that were merged before.
+TEST_F(MergeTest, AShardReplacesWhatAnEarlierMergeHasOfIt) {
+  merge_runs({odd(), even()}, dir / "merged");
+  {
+    RunStore store = RunStore::resume(dir / "odd", info_of({1, 3, 5}, shard(1, 2)), scenarios);
+    store.set_complete(false);
+    store.remove({keys[2]});
+  }
+  const MergeSummary merged = merge_runs({dir / "odd"}, dir / "merged");
+  EXPECT_EQ(merged.finished, 5U);
+  EXPECT_THAT(merged.unfinished, ElementsAre(1));
 }
 
 TEST_F(MergeTest, TracesAreCopiedAndLinksAreNot) {
