@@ -1,6 +1,7 @@
 #include "bench/cell_runs.h"
 
 #include <algorithm>
+#include <chrono>
 #include <string>
 
 #include "results/whole_file.h"
@@ -36,8 +37,11 @@ CellResult result_from(const CellKey& key, const TaskOutcome& outcome) {
 
 CellResult run_cell(const CellKey& key, const Scenario& scenario, const PlannedObserver& observer,
                     const Trial::Sink& sink) {
+  const auto start = std::chrono::steady_clock::now();
   CellResult result = Trial(scenario, observer.observer, key.seed, observer.shadows).run(sink);
   result.key = key;
+  // With what it takes to build robot, simulator and controller, and to stand the robot up.
+  result.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }
 

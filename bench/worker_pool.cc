@@ -82,14 +82,16 @@ class Workers {
     }
   }
 
-  void attend(const std::function<void(std::size_t, const TaskOutcome&)>& done) {
+  // Takes out those that have ended.
+  std::vector<Worker> attend() {
+    std::vector<Worker> ended;
     for (std::size_t i = workers_.size(); i-- > 0;) {
       workers_[i].process.attend();
       if (!workers_[i].process.has_ended()) continue;
-      Worker ended = std::move(workers_[i]);
+      ended.push_back(std::move(workers_[i]));
       workers_.erase(workers_.begin() + static_cast<std::ptrdiff_t>(i));
-      done(ended.task, ended.process.outcome());
     }
+    return ended;
   }
 
  private:
@@ -104,13 +106,18 @@ int run_in_processes(std::size_t count, const WorkerOptions& options,
   const auto jobs = static_cast<std::size_t>(std::max(1, options.jobs));
   const Signals signals;
   Workers workers;
-  for (std::size_t next = 0; next < count || workers.size() > 0;) {
+  std::size_t next = 0;
+  const auto start = [&] {
     for (; next < count && workers.size() < jobs; ++next) {
       workers.add(next, WorkerProcess([&] { return task(next); }, options, signals.old_mask()));
     }
+  };
+  for (start(); workers.size() > 0;) {
     workers.wait(signals);
     if (const int number = signals.stop(); number != 0) return number;
-    workers.attend(done);
+    std::vector<Worker> ended = workers.attend();
+    start();  // first, so that nobody waits while a result is put on the disk
+    for (Worker& worker : ended) done(worker.task, worker.process.outcome());
   }
   return 0;
 }
