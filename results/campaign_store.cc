@@ -5,13 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "results/campaign_text.h"
 #include "results/run_plan.h"
 #include "results/store_json.h"
 
 namespace dob {
 namespace {
-
-constexpr std::array<const char*, 4> kKinds{"limit", "map", "breakdown", "factorial"};
 
 Json axis_to_json(const CampaignAxis& axis) {
   return {{"name", axis.name}, {"unit", axis.unit}, {"levels", axis.levels}, {"logarithmic", axis.logarithmic}};
@@ -42,12 +41,8 @@ CampaignCurve curve_from(const Json& json, std::size_t axes) {
 }
 
 Json to_json(const Campaign& campaign) {
-  Json json{{"kind", kKinds.at(static_cast<std::size_t>(campaign.kind))},
-            {"name", campaign.name},
-            {"summary", campaign.summary},
-            {"document", campaign.document},
-            {"axes", Json::array()},
-            {"factors", campaign.factors},
+  Json json{{"kind", kind_name(campaign.kind)}, {"name", campaign.name}, {"summary", campaign.summary},
+            {"document", campaign.document},    {"axes", Json::array()}, {"factors", campaign.factors},
             {"curves", Json::array()}};
   for (const CampaignAxis& axis : campaign.axes) json["axes"].push_back(axis_to_json(axis));
   for (const CampaignCurve& curve : campaign.curves) json["curves"].push_back(curve_to_json(curve));
@@ -55,8 +50,9 @@ Json to_json(const Campaign& campaign) {
 }
 
 CampaignKind kind_from(const std::string& name) {
-  for (std::size_t i = 0; i < kKinds.size(); ++i) {
-    if (kKinds[i] == name) return static_cast<CampaignKind>(i);
+  for (const CampaignKind kind :
+       {CampaignKind::kLimit, CampaignKind::kMap, CampaignKind::kBreakdown, CampaignKind::kFactorial}) {
+    if (kind_name(kind) == name) return kind;
   }
   throw std::runtime_error(fmt::format("campaign: unknown kind '{}'", name));
 }
