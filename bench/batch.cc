@@ -122,7 +122,7 @@ class Batch {
     std::copy_if(wanted.begin(), wanted.end(), std::back_inserter(cells), [&](std::size_t i) { return !stored_[i]; });
     std::stable_sort(cells.begin(), cells.end(),
                      [&](std::size_t a, std::size_t b) { return expected_cost(a) > expected_cost(b); });
-    std::vector<CellKey> keys;
+    CellKeys keys;
     for (const std::size_t cell : cells) keys.push_back(plan_.cells[cell].key);
     const auto compute = [&](std::size_t i) { return run_with_files(cells[i]); };
     const auto done = [&](std::size_t i, CellResult result) {
@@ -135,10 +135,10 @@ class Batch {
     return run_cells(keys, {options_.jobs, options_.timeout_s, options_.memory_limit_MB}, compute, done);
   }
 
-  double expected_cost(std::size_t cell) const { return plan_.scenarios[plan_.cells[cell].scenario].duration; }
+  double expected_cost(std::size_t cell) const { return plan_.scenarios[plan_.cells.row(cell).scenario].duration; }
 
   bool keeps(std::size_t cell) const {
-    return options_.keep == Keep::kAll || (options_.keep == Keep::kFirstSeed && plan_.cells[cell].first_seed);
+    return options_.keep == Keep::kAll || (options_.keep == Keep::kFirstSeed && plan_.cells[cell].is_first());
   }
 
   std::string trace_file(std::size_t cell) const { return "traces/" + file_name(cell) + ".dobtrace"; }
@@ -151,7 +151,7 @@ class Batch {
 
   // In the cell's own process.
   CellResult run_with_files(std::size_t index) const {
-    const PlannedCell& cell = plan_.cells[index];
+    const PlannedCell cell = plan_.cells[index];
     const Scenario& scenario = plan_.scenarios[cell.scenario];
     const std::string name = file_name(index);
     std::optional<TickLog> log;

@@ -175,7 +175,7 @@ std::vector<std::string> split_specifications(const std::string& list) {
 BatchPlan plan_batch(const BatchRequest& request) {
   BatchPlan plan;
   const std::vector<std::string> gain_sets = request.gains.empty() ? std::vector<std::string>{""} : request.gains;
-  std::set<CellKey> planned;
+  std::set<CellKey> planned;                  // by their first seeds
   std::map<std::string, std::string> called;  // label in the tables -> observer
   for (const std::string& name : or_paper_set(request.scenarios)) {
     const Lineup lineup = lineup_of(name, request);
@@ -192,10 +192,12 @@ BatchPlan plan_batch(const BatchRequest& request) {
         for (const ObserverConfig& observer : observers) {
           require_one_meaning(observer, called);
           plan.observers.push_back({observer, without(shadows, observer)});
+          PlannedCell cell{key_of(scenario, observer, gains, wanted, request.first_seed), index,
+                           plan.observers.size() - 1, request.first_seed};
+          if (!planned.insert(cell.key).second) continue;
           for (long seed = request.first_seed; seed <= request.last_seed; ++seed) {
-            const CellKey key = key_of(scenario, observer, gains, wanted, static_cast<int>(seed));
-            if (!planned.insert(key).second) continue;
-            plan.cells.push_back({key, index, plan.observers.size() - 1, seed == request.first_seed});
+            cell.key.seed = static_cast<int>(seed);
+            plan.cells.push_back(cell);
           }
         }
       }

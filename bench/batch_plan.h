@@ -36,14 +36,22 @@ struct PlannedCell {
   CellKey key;
   std::size_t scenario = 0;  // index into BatchPlan::scenarios
   std::size_t observer = 0;  // index into BatchPlan::observers
-  bool first_seed = true;    // of its row in the tables
+  int first_seed = 1;        // of its row in the tables
+
+  bool is_first() const noexcept { return key.seed == first_seed; }
+  friend auto operator<=>(const PlannedCell&,
+                          const PlannedCell&) = default;  // NOLINT(modernize-use-nullptr): see CellKey
 };
+
+inline int& seed_of(PlannedCell& cell) noexcept {
+  return cell.key.seed;
+}
 
 struct BatchPlan {
   std::vector<Scenario> scenarios;         // one for each scenario, variant and gain set
   std::vector<ResolvedScenario> resolved;  // their resolved files, for the run directory
   std::vector<PlannedObserver> observers;  // of all cells
-  std::vector<PlannedCell> cells;          // in the order of the tables; no cell twice
+  SeededList<PlannedCell> cells;           // in the order of the tables; no cell twice
   std::vector<std::string> warnings;       // what can be run and is hardly meant: late_loads()
   std::optional<Campaign> campaign;        // what the cells are the plan of, if they are
   std::vector<long> ids;                   // places in the whole plan, from 1, of a shard's cells; empty: all are here

@@ -186,11 +186,15 @@ class Planner {
     }
     const std::size_t observers = plan_.observers.size();
     std::move(part.observers.begin(), part.observers.end(), std::back_inserter(plan_.observers));
-    for (PlannedCell& cell : part.cells) {
-      auto [key, factors] = curve_of(cell.key);
-      key.seed = 0;
-      const std::size_t curve = curve_at({std::move(key), axes, std::move(factors)});
-      if (!keys_.insert(cell.key).second) refuse_again(cell.key, axes);
+    std::map<CellKey, std::size_t> curve_of_row;
+    for (const PlannedCell& row : part.cells.rows()) {
+      auto [key, factors] = curve_of(row.key);
+      if (!keys_.insert(row.key).second) refuse_again(row.key, axes);
+      curve_of_row[row.key] = curve_at({std::move(key), axes, std::move(factors)});
+    }
+    for (std::size_t i = 0; i < part.cells.size(); ++i) {
+      const std::size_t curve = curve_of_row.at(part.cells.row(i).key);
+      PlannedCell cell = part.cells[i];
       cell.scenario = scenario_at[cell.scenario];
       cell.observer += observers;
       plan_.cells.push_back(std::move(cell));
@@ -239,13 +243,13 @@ class Planner {
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto place = [&](std::size_t i) {
       const CampaignCell& cell = plan_.campaign->cells[i];
-      return std::tuple(cell.curve, cell.level, plan_.cells[i].key.seed);
+      return std::tuple(cell.curve, cell.level, plan_.cells.seed(i));
     };
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return place(a) < place(b); });
-    std::vector<PlannedCell> cells;
+    SeededList<PlannedCell> cells;
     std::vector<CampaignCell> places;
     for (const std::size_t i : order) {
-      cells.push_back(std::move(plan_.cells[i]));
+      cells.push_back(plan_.cells[i]);
       places.push_back(plan_.campaign->cells[i]);
     }
     plan_.cells = std::move(cells);
@@ -255,8 +259,8 @@ class Planner {
   const CampaignSpec& spec_;
   BatchPlan plan_;
   std::map<std::pair<std::string, std::string>, std::size_t> places_;  // name and text -> index into plan_.scenarios
-  std::set<CellKey> keys_;
-  std::map<std::string, int> named_;  // scenarios of a name so far
+  std::set<CellKey> keys_;                                             // without seeds: each row has all of them
+  std::map<std::string, int> named_;                                   // scenarios of a name so far
   std::map<std::pair<CellKey, std::vector<int>>, std::size_t> curves_;
 };
 

@@ -45,8 +45,7 @@ CellResult run_cell(const CellKey& key, const Scenario& scenario, const PlannedO
   return result;
 }
 
-int run_cells(const std::vector<CellKey>& keys, const WorkerOptions& options,
-              const std::function<CellResult(std::size_t)>& compute,
+int run_cells(const CellKeys& keys, const WorkerOptions& options, const std::function<CellResult(std::size_t)>& compute,
               const std::function<void(std::size_t, const CellResult&)>& done) {
   const auto task = [&](std::size_t i) {
     try {

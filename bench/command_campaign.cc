@@ -29,7 +29,9 @@ struct Arguments {
 
 void print_plan(const CampaignPlan& plan, std::size_t most) {
   double simulated = 0.0;
-  for (const PlannedCell& cell : plan.batch.cells) simulated += plan.batch.scenarios[cell.scenario].duration;
+  for (std::size_t i = 0; i < plan.batch.cells.size(); ++i) {
+    simulated += plan.batch.scenarios[plan.batch.cells.row(i).scenario].duration;
+  }
   simulated /= static_cast<double>(std::max<std::size_t>(1, plan.batch.cells.size()));
   fmt::print("{} curves, {} cells of which at most {} are run, up to {} on one curve; {:.3g} simulated seconds each\n",
              plan.batch.campaign->curves.size(), plan.batch.cells.size(), most, plan.trials_per_curve, simulated);

@@ -90,7 +90,7 @@ int measure(const BatchPlan& plan, double seconds, RunStore* store) {
 }
 
 void require_cells_of(const std::filesystem::path& dir, const BatchPlan& plan) {
-  const std::vector<CellKey> of_run = read_run_info(dir).cells;
+  const CellKeys of_run = read_run_info(dir).cells;
   const std::set<CellKey> keys(of_run.begin(), of_run.end());
   for (const PlannedCell& cell : first_seeds(plan)) {
     if (keys.contains(cell.key)) continue;

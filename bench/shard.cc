@@ -55,17 +55,16 @@ void take_shard(BatchPlan& plan, const ShardChoice& choice) {
   plan.shard = {choice.number, choice.count, plan.cells.size(), fingerprint_of(plan), false};
   if (choice.count == 1) return;
   const auto part = static_cast<std::size_t>(choice.number - 1), parts = static_cast<std::size_t>(choice.count);
-  std::size_t kept = 0;
+  SeededList<PlannedCell> cells;
   for (std::size_t i = 0; i < plan.cells.size(); ++i) {
     const std::size_t unit = plan.campaign ? plan.campaign->cells[i].curve : i;
     if (unit % parts != part) continue;
     plan.ids.push_back(static_cast<long>(i) + 1);
-    if (plan.campaign) plan.campaign->cells[kept] = plan.campaign->cells[i];
-    if (kept != i) plan.cells[kept] = std::move(plan.cells[i]);
-    ++kept;
+    if (plan.campaign) plan.campaign->cells[cells.size()] = plan.campaign->cells[i];
+    cells.push_back(plan.cells[i]);
   }
-  plan.cells.resize(kept);
-  if (plan.campaign) plan.campaign->cells.resize(kept);
+  plan.cells = std::move(cells);
+  if (plan.campaign) plan.campaign->cells.resize(plan.cells.size());
 }
 
 }  // namespace dob

@@ -57,15 +57,43 @@ def speed(out):
           f"{100 * statistics.median(overheads):.1f} % ({', '.join(f'{100 * o:.1f}' for o in overheads)}).")
 
 
+def finished(directory):
+    """Rows that are in the database of a run, which may not be there yet."""
+    try:
+        with sqlite3.connect(f"file:{directory}/run.sqlite?mode=ro", uri=True, timeout=10) as database:
+            return database.execute("SELECT COUNT(*) FROM result").fetchone()[0]
+    except sqlite3.OperationalError:
+        return 0
+
+
+def largest_while_running(child, directory, cells):
+    """Largest resident set [MB] of a batch until its last cells, after which it reads the rows for its table."""
+    resident = 0
+    while os.waitid(os.P_PID, child.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is None and finished(directory) < cells - 2:
+        with open(f"/proc/{child.pid}/status") as status:
+            resident = max([resident] + [int(line.split()[1]) for line in status if line.startswith("VmHWM")])
+        time.sleep(max(0.02, cells / 1e5))
+    return resident / 1024
+
+
 def memory(out):
     """Trials of two milliseconds, so that there can be many."""
-    print("| cells | wall [s] | cells per second | largest resident set [MB] | run.sqlite [MB] |\n|---:|---:|---:|---:|---:|")
+    print("| cells | wall [s] | cells per second | largest resident set, running [MB] | with the table at the end [MB] | "
+          "run.sqlite [MB] |\n|---:|---:|---:|---:|---:|---:|")
     for cells in (100, 1_000, 10_000, 100_000):
         directory = out / f"memory_{cells}"
-        wall, _, resident = run("run", "undisturbed", "--observer", "none", "--set", "duration_s=0.002", "--seeds", cells,
-                                "--keep", "none", "--jobs", "2", "--out", directory)
+        start = time.monotonic()
+        child = subprocess.Popen([PROGRAM, "run", "undisturbed", "--observer", "none", "--set", "duration_s=0.002", "--seeds",
+                                  str(cells), "--keep", "none", "--jobs", "2", "--out", str(directory)],
+                                 stdout=subprocess.DEVNULL)
+        running = largest_while_running(child, directory, cells)
+        _, status, usage = os.wait4(child.pid, 0)
+        if os.waitstatus_to_exitcode(status) != 0:
+            sys.exit(f"memory: exit code {os.waitstatus_to_exitcode(status)}")
+        wall = time.monotonic() - start
         size = (directory / "run.sqlite").stat().st_size / 1e6
-        print(f"| {cells} | {wall:.1f} | {cells / wall:.0f} | {resident:.0f} | {size:.1f} |", flush=True)
+        print(f"| {cells} | {wall:.1f} | {cells / wall:.0f} | {running:.0f} | {usage.ru_maxrss / 1024:.0f} | {size:.1f} |",
+              flush=True)
 
 
 def fill(directory, number):

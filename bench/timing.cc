@@ -50,7 +50,7 @@ CellTiming time_cell(const CellKey& key, const Scenario& scenario, const Observe
 std::vector<PlannedCell> first_seeds(const BatchPlan& plan) {
   std::vector<PlannedCell> first;
   for (const PlannedCell& cell : plan.cells) {
-    if (cell.first_seed) first.push_back(cell);
+    if (cell.is_first()) first.push_back(cell);
   }
   return first;
 }

@@ -23,7 +23,8 @@ constexpr std::uint32_t kStartStream = 0x57a7u;  // sets what apply_seed() draws
 // What controller and observer take the robot to be.
 RobotDescription believed_robot(const RobotDescription& robot, const ModelError& error) {
   if (error.none()) return robot;  // to the bit
-  return scale_trunk_inertia(scale_inertia(robot, error.mass_scale), error.trunk_mass_scale);
+  return scale_rotational_inertia(scale_trunk_inertia(scale_inertia(robot, error.mass_scale), error.trunk_mass_scale),
+                                  error.rotational_inertia_scale);
 }
 
 LocomotionOptions locomotion_options(const Scenario& s, Routing routing) {

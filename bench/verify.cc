@@ -72,7 +72,7 @@ class Verify {
   }
 
   void compute() {
-    std::vector<CellKey> keys;
+    CellKeys keys;
     double cost = 0.0;
     for (const auto& [cell, stored] : again_) {
       keys.push_back(stored.key);

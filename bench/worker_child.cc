@@ -17,7 +17,7 @@
 namespace dob {
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#if defined(DOB_SANITIZED)
 constexpr bool kLimitsMemory = false;  // a sanitizer reserves terabytes of addresses for itself
 #else
 constexpr bool kLimitsMemory = true;

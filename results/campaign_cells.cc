@@ -64,7 +64,7 @@ std::vector<std::vector<CurveCell>> cells_of_curves(const Campaign& campaign, co
   for (std::size_t i = 0; i < campaign.cells.size(); ++i) {
     const CampaignCell& place = campaign.cells[i];
     check_place(campaign, place);
-    const CellKey& key = run.info.cells[i];
+    const CellKey key = run.info.cells[i];
     const auto result = results.find(key);
     curves[place.curve].push_back({place.level, key.seed, result == results.end() ? nullptr : result->second});
   }

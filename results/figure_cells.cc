@@ -16,7 +16,7 @@ constexpr const char* kNoProfile = "-";  // of an observer that has none
 std::string chosen(const Run& run, std::string CellKey::*member, const std::string& wish, const std::string& favourite,
                    const std::string& what) {
   std::vector<std::string> values;
-  for (const CellKey& key : run.info.cells) {
+  for (const CellKey& key : run.info.cells.rows()) {
     const std::string& value = key.*member;
     if (value != kNoProfile && std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
   }
@@ -33,7 +33,7 @@ std::string chosen(const Run& run, std::string CellKey::*member, const std::stri
 // Of each scenario what was wished for, else `favourite` if it has that, else its first value.
 std::map<std::string, std::string> chosen_gains(const Run& run, const std::string& wish, const std::string& favourite) {
   std::map<std::string, std::string> gains;
-  for (const CellKey& key : run.info.cells) {
+  for (const CellKey& key : run.info.cells.rows()) {
     std::string& of_scenario = gains.try_emplace(key.scenario, wish.empty() ? key.gains : wish).first->second;
     if (wish.empty() && key.gains == favourite) of_scenario = favourite;
   }
@@ -43,7 +43,7 @@ std::map<std::string, std::string> chosen_gains(const Run& run, const std::strin
 // Each once, in the order of the cells.
 std::string listed(const Run& run, const std::map<std::string, std::string>& gains) {
   std::vector<std::string> names;
-  for (const CellKey& key : run.info.cells) {
+  for (const CellKey& key : run.info.cells.rows()) {
     const std::string& name = gains.at(key.scenario);
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
@@ -69,7 +69,7 @@ FigureCells::FigureCells(const std::filesystem::path& dir, Run run, const Figure
 
 std::vector<std::string> FigureCells::observers(const std::vector<std::string>& leave_out) const {
   std::vector<std::string> names;
-  for (const CellKey& key : run_.info.cells) {
+  for (const CellKey& key : run_.info.cells.rows()) {
     if (std::find(leave_out.begin(), leave_out.end(), key.scenario) != leave_out.end()) continue;
     if (std::find(names.begin(), names.end(), key.observer) == names.end()) names.push_back(key.observer);
   }
@@ -82,12 +82,12 @@ bool FigureCells::shown(const CellKey& key, const std::string& profile) const no
          key.planner == request_.planner;
 }
 
-const CellKey* FigureCells::planned(const std::string& scenario, const std::string& observer,
-                                    const std::string& profile) const {
-  const CellKey* best = nullptr;
+std::optional<CellKey> FigureCells::planned(const std::string& scenario, const std::string& observer,
+                                            const std::string& profile) const {
+  std::optional<CellKey> best;
   for (const CellKey& key : run_.info.cells) {
     if (case_name(key) != scenario || key.observer != observer || !shown(key, profile)) continue;
-    if (best == nullptr || (key.overrides == best->overrides && key.seed < best->seed)) best = &key;
+    if (!best || (key.overrides == best->overrides && key.seed < best->seed)) best = key;
   }
   return best;
 }
@@ -95,8 +95,8 @@ const CellKey* FigureCells::planned(const std::string& scenario, const std::stri
 FigureCell FigureCells::find(const std::vector<std::string>& scenarios, const std::string& observer,
                              const std::string& profile) {
   for (const std::string& scenario : scenarios) {
-    const CellKey* key = planned(scenario, observer, profile);
-    if (key == nullptr) continue;
+    const std::optional<CellKey> key = planned(scenario, observer, profile);
+    if (!key) continue;
     const auto cell =
         std::find_if(run_.cells.begin(), run_.cells.end(), [&](const CellResult& c) { return c.key == *key; });
     const std::string name = fmt::format("{}, {}", scenario, observer);
@@ -105,7 +105,8 @@ FigureCell FigureCells::find(const std::vector<std::string>& scenarios, const st
     if (cell->trace.empty()) throw StoreError(name + ": its time series was not kept (`dobbench run --keep`)");
     return {&*cell, &trace(*cell)};
   }
-  const bool any = std::any_of(run_.info.cells.begin(), run_.info.cells.end(), [&](const CellKey& key) {
+  const std::vector<CellKey>& rows = run_.info.cells.rows();
+  const bool any = std::any_of(rows.begin(), rows.end(), [&](const CellKey& key) {
     return std::any_of(scenarios.begin(), scenarios.end(), [&](const auto& name) { return name == case_name(key); });
   });
   if (!any) throw StoreError(fmt::format("{}: not part of the run", fmt::join(scenarios, " or ")));

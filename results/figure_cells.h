@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,7 +48,8 @@ class FigureCells {
   FigureCell find(const std::vector<std::string>& scenarios, const std::string& observer, const std::string& profile);
 
  private:
-  const CellKey* planned(const std::string& scenario, const std::string& observer, const std::string& profile) const;
+  std::optional<CellKey> planned(const std::string& scenario, const std::string& observer,
+                                 const std::string& profile) const;
   const Trace& trace(const CellResult& cell);
 
   std::filesystem::path dir_;

@@ -32,7 +32,7 @@ class ErrorsFigure {
     for (const std::string& observer : cells.request().observers.empty() ? all : cells.request().observers) {
       if (is_shown(observer)) observers_.push_back(observer);
     }
-    for (const CellKey& key : cells.run().info.cells) {
+    for (const CellKey& key : cells.run().info.cells.rows()) {
       const bool left_out =
           std::find(spec.leave_out.begin(), spec.leave_out.end(), key.scenario) != spec.leave_out.end();
       if (left_out) continue;
@@ -63,7 +63,7 @@ class ErrorsFigure {
 
  private:
   bool is_shown(const std::string& observer) const {
-    const std::vector<CellKey>& keys = cells_.run().info.cells;
+    const std::vector<CellKey>& keys = cells_.run().info.cells.rows();
     return std::any_of(keys.begin(), keys.end(),
                        [&](const CellKey& key) { return key.observer == observer && cells_.shown(key, ""); });
   }

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 Figure robot_of(const FigureSpec& spec, const FigureCells& cells) {
   std::vector<fs::path> scenarios;
-  for (const CellSource& source : cells.run().info.sources) {
+  for (const CellSource& source : cells.run().info.sources.values()) {
     const fs::path file = cells.dir() / "scenarios" / (source.scenario + ".toml");
     if (std::find(scenarios.begin(), scenarios.end(), file) == scenarios.end()) scenarios.push_back(file);
   }

@@ -110,7 +110,7 @@ Json reasons_json(const Run& run) {
 
 // The seed of a curve's key is 0, its overrides and observer may be none that a cell has: names of its own.
 ReportIndex index_of_curves(const CampaignResult& result) {
-  std::vector<CellKey> keys;
+  CellKeys keys;
   for (const CurveResult& curve : result.curves) keys.push_back(curve.curve.key);
   return ReportIndex(keys);
 }

@@ -122,7 +122,7 @@ Json settings_json(const ReportIndex& index) {
 
 Json rows_json(const Run& run, const ReportIndex& index) {
   std::map<std::string, const CellKey*> keys;
-  for (const CellKey& key : run.info.cells) keys.emplace(row_name(key), &key);
+  for (const CellKey& key : run.info.cells.rows()) keys.emplace(row_name(key), &key);
   Json rows = Json::parse(render_table(run, {.format = TableFormat::kJson, .timing = true}));
   for (Json& row : rows) {
     row.update(index.ids(*keys.at(row_name(row))));

@@ -34,7 +34,7 @@ void ReportIndex::Part::add(const std::vector<std::string>& name, const CellKey&
   if (places.emplace(name, first.size()).second) first.push_back(cell);
 }
 
-ReportIndex::ReportIndex(const std::vector<CellKey>& cells) {
+ReportIndex::ReportIndex(const CellKeys& cells) {
   for (const CellKey& cell : cells) {
     scenarios_.add(scenario_name(cell), cell);
     observers_.add(observer_name(cell), cell);

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "results/cell.h"
+#include "results/seeded_list.h"
 #include "results/store_json.h"
 
 namespace dob {
@@ -16,7 +16,7 @@ namespace dob {
 // of cells, each in the order of first mention.
 class ReportIndex {
  public:
-  explicit ReportIndex(const std::vector<CellKey>& cells);
+  explicit ReportIndex(const CellKeys& cells);
 
   // The first cell of each.
   const std::vector<CellKey>& scenarios() const noexcept { return scenarios_.first; }

@@ -155,7 +155,7 @@ void note_scenarios_without(const Run& run, const Cells& with_trace, const Repor
                   fmt::join(without, ", ")));
 }
 
-std::map<CellKey, std::size_t> places_of(const std::vector<CellKey>& cells) {
+std::map<CellKey, std::size_t> places_of(const CellKeys& cells) {
   std::map<CellKey, std::size_t> places;
   for (std::size_t i = 0; i < cells.size(); ++i) places[cells[i]] = i;
   return places;

@@ -87,10 +87,9 @@ std::string describe_program(const RunInfo& info) {
   return fmt::format("dobbench {} ({}, {}, {}, {})", info.version, info.commit, info.build, info.compiler, info.flags);
 }
 
-std::string describe_missing(const std::vector<CellKey>& keys, const std::vector<CellKey>& other,
-                             std::string_view what) {
+std::string describe_missing(const CellKeys& keys, const CellKeys& other, std::string_view what) {
   const std::set<CellKey> there(other.begin(), other.end());
-  std::vector<CellKey> missing;
+  CellKeys missing;
   for (const CellKey& key : keys) {
     if (there.count(key) == 0) missing.push_back(key);
   }

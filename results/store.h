@@ -19,7 +19,9 @@
 #include "results/campaign.h"
 #include "results/cell.h"
 #include "results/code_path.h"
+#include "results/interned.h"
 #include "results/machine.h"
+#include "results/seeded_list.h"
 
 namespace dob {
 
@@ -27,6 +29,9 @@ namespace dob {
 struct CellSource {
   std::string scenario;  // name of its ResolvedScenario
   std::string observer;  // how it is made, options and routing resolved: observer_toml() of scenarios/loader.h
+
+  friend auto operator<=>(const CellSource&,
+                          const CellSource&) = default;  // NOLINT(modernize-use-nullptr): a false alarm
 };
 
 // A part of a plan that is computed by itself (--shard), or all of it: number 1 of 1.
@@ -42,8 +47,8 @@ struct RunInfo {
   std::string version, commit, build, compiler, flags;
   Machine machine;
   std::string date;                       // UTC, ISO 8601
-  std::vector<CellKey> cells;             // all that belong to the run, in the order of its tables
-  std::vector<CellSource> sources = {};   // of the cells, in their order; or empty
+  CellKeys cells;                         // all that belong to the run, in the order of its tables
+  Interned<CellSource> sources = {};      // of the cells, in their order; or empty
   CodePath code_path = {};                // its fields are "" in a run from before they were kept
   std::vector<long> ids = {};             // places of the cells in the whole plan, from 1, increasing; empty: 1, 2, ...
   std::vector<RunShard> shards = {};      // one, several after a merge, none in a run from before they were kept

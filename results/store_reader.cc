@@ -84,7 +84,7 @@ class Reader {
 
  private:
   // Of the row of `table`: its first column is the cell.
-  const CellKey& key_of(const SQLite::Statement& row, std::string_view table) const {
+  CellKey key_of(const SQLite::Statement& row, std::string_view table) const {
     const std::int64_t cell = row.getColumn(0).getInt64();
     const std::vector<long>& ids = run_.info.ids;  // in their order
     const auto it = std::lower_bound(ids.begin(), ids.end(), cell);

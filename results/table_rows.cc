@@ -127,7 +127,7 @@ std::vector<TableRow> build_rows(const Run& run, TableOrder order) {
     if (timings.contains(key)) rows.back().timing = summarise(timings[key]);
   }
   rank_rows(rows);
-  const Places places(run.info.cells, order == TableOrder::kByObserver ? kObserverFirst : kScenarioFirst);
+  const Places places(run.info.cells.rows(), order == TableOrder::kByObserver ? kObserverFirst : kScenarioFirst);
   std::sort(rows.begin(), rows.end(),
             [&](const TableRow& a, const TableRow& b) { return places.of(a.key) < places.of(b.key); });
   return rows;

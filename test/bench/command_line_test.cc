@@ -182,7 +182,7 @@ TEST_F(CommandLine, ARunDirectoryHoldsWhatIsNeededToRunItAgain) {
   for (const std::string& text : {info.version, info.commit, info.compiler, info.machine.cpu, info.date}) {
     EXPECT_NE(text, "");
   }
-  EXPECT_NE(info.sources.at(0).scenario, "");
+  EXPECT_NE(info.sources.front().scenario, "");
   int scenarios = 0;
   for (const auto& file : fs::directory_iterator(run / "scenarios")) {
     ++scenarios;

@@ -19,7 +19,7 @@ BatchPlan plan_of(int cells) {
     CellKey key;
     key.scenario = "s";
     key.seed = i + 1;
-    plan.cells.push_back({key, 0, 0, i == 0});
+    plan.cells.push_back({key, 0, 0, 1});
   }
   return plan;
 }

@@ -171,7 +171,7 @@ TEST(CampaignResultTest, RefusesWhatDoesNotBelongTogether) {
   add_trials(sample, curve, {3, 0}, "s");
   EXPECT_EQ(error_of(sample), "");
   SampleCampaign other = sample;
-  other.run.info.cells.pop_back();
+  other.run.info.cells.clear();
   EXPECT_THAT(error_of(other), HasSubstr("1 cells, but its run has 0"));
   other = sample;
   other.campaign.cells[0].curve = 1;

@@ -33,8 +33,9 @@ class CampaignStoreTest : public ::testing::Test {
   CampaignStoreTest() {
     for (const char* override_text : {"delay=0", "delay=0.3"}) {
       for (int seed = 1; seed <= 2; ++seed) {
-        info.cells.push_back(key("s", "v", "a", "x", seed));
-        info.cells.back().overrides = override_text;
+        CellKey cell = key("s", "v", "a", "x", seed);
+        cell.overrides = override_text;
+        info.cells.push_back(cell);
       }
     }
     info.shards = {{1, 1, 4, "fingerprint"}};

@@ -74,7 +74,7 @@ TEST_F(MergeTest, AllShardsGiveTheRunThatWasNeverDivided) {
   EXPECT_EQ(merged.planned, 6U);
   EXPECT_EQ(merged.finished, 6U);
   const dob::Run run = read_run(dir / "merged"), undivided = read_run(whole());
-  EXPECT_EQ(run.info.cells, keys);
+  EXPECT_EQ(run.info.cells, CellKeys(keys));
   EXPECT_EQ(table(dir / "merged"), table(dir / "whole"));
   EXPECT_EQ(render_table(run, {.shadow = true}), render_table(undivided, {.shadow = true}));
   ASSERT_EQ(run.cells.size(), 6U);

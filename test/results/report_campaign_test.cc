@@ -80,8 +80,7 @@ TEST(RunWithSeries, OfEachCurveAndLevelTheFirstCellThatHasOne) {
   }
   for (const std::size_t i : {1U, 2U, 4U}) cells[i].trace = "traces/a.dobtrace";
   dob::Run run = test::run_of(cells);
-  run.info.sources.resize(5);
-  run.info.sources[4].scenario = "last";
+  run.info.sources = {{}, {}, {}, {}, {"last", ""}};
   run.timings = {{.key = cells[0].key}, {.key = cells[4].key}};
   const dob::Run part = run_with_series(run, campaign);
   ASSERT_EQ(part.cells.size(), 2U);

@@ -67,7 +67,7 @@ inline void make_run(const std::filesystem::path& dir, const std::vector<CellKey
                      const std::vector<CellResult>& cells, const std::vector<CellTiming>& timings = {}) {
   RunInfo info;
   info.command_line = "dobbench run";
-  info.cells = planned;
+  info.cells = CellKeys(planned);
   RunStore store = RunStore::create(dir, info, {});
   for (const CellResult& cell : cells) store.append(cell);
   for (const CellTiming& timing : timings) store.append(timing);

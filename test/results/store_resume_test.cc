@@ -48,19 +48,19 @@ TEST_F(StoreResumeTest, TheSamePlanGoesOnWhereItWas) {
 
 TEST_F(StoreResumeTest, OtherCellsAreRefusedWithTheDifference) {
   RunInfo other = info;
-  other.cells[2] = key("s", "", "d", "x", 4);
+  other.cells = {info.cells[0], info.cells[1], key("s", "", "d", "x", 4)};
   EXPECT_THAT(refusal(other, scenarios),
               AllOf(StartsWith(dir.string() + ": cannot be resumed: "), HasSubstr("1 of the cells asked for"),
                     HasSubstr("s d x paper spline seed 4"), HasSubstr("1 of its cells were not asked for"),
                     HasSubstr("dobbench run s")));
   other = info;
-  std::swap(other.cells[0], other.cells[1]);
+  other.cells = {info.cells[1], info.cells[0], info.cells[2]};
   EXPECT_THAT(refusal(other, scenarios), HasSubstr("in their order"));
 }
 
 TEST_F(StoreResumeTest, OtherOptionsBehindTheSameNamesAreRefused) {
   RunInfo other = info;
-  other.sources[1].observer = "[b]\ngain = 2\n";
+  other.sources = {info.sources[0], {"s", "[b]\ngain = 2\n"}, info.sources[2]};
   EXPECT_THAT(refusal(other, scenarios), HasSubstr("the options or the library of b (x)"));
   EXPECT_THAT(refusal(info, {{"s", "duration_s = 2\n"}}), HasSubstr("the scenario s, or its robot, is not the one"));
 }

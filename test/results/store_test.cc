@@ -28,7 +28,7 @@ class StoreTest : public ::testing::Test {
   test::TemporaryDirectory temporary;
   std::filesystem::path dir = temporary.path() / "run";
 
-  static RunInfo info_of(std::vector<CellKey> cells) {
+  static RunInfo info_of(const std::vector<CellKey>& cells) {
     return {"dobbench run case1 --set 'a=\"b\"'",
             "0.1.0",
             "0123abc",
@@ -37,7 +37,7 @@ class StoreTest : public ::testing::Test {
             "-O3",
             {"Some CPU @ 3 GHz", 2, "Debian 12"},
             "2026-01-02T03:04:05Z",
-            std::move(cells),
+            CellKeys(cells),
             {},
             {"portable", "glibc 2.36, libm.so.6 0123", "avx2 fma"}};
   }

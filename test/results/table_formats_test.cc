@@ -105,7 +105,8 @@ momentum (paper))"));
 
 TEST(TableTextTest, OverridesAndGainsMakeBlocksOfTheirOwn) {
   dob::Run run = run_of({survived(key("s", "", "o", "-", 1), 0.001), survived(key("s", "", "o", "-", 1), 0.002)});
-  run.info.cells[1].overrides = run.cells[1].key.overrides = "sim.dt=0.002";
+  run.cells[1].key.overrides = "sim.dt=0.002";
+  run.info.cells = {run.cells[0].key, run.cells[1].key};
   EXPECT_THAT(render(run, TableFormat::kText), HasSubstr("s: gains paper, planner spline, set sim.dt=0.002\n"));
 }
 
