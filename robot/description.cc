@@ -274,4 +274,15 @@ RobotDescription scale_trunk_inertia(RobotDescription robot, double factor) {
   return robot;
 }
 
+RobotDescription scale_rotational_inertia(RobotDescription robot, double factor) {
+  require_factor("scale_rotational_inertia", factor);
+  robot.trunk.inertia.inertia *= factor;
+  for (LegDescription& leg : robot.legs) {
+    for (LinkDescription& link : leg.links) {
+      link.inertia.inertia *= factor;
+    }
+  }
+  return robot;
+}
+
 }  // namespace dob

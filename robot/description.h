@@ -90,4 +90,7 @@ RobotDescription scale_inertia(RobotDescription robot, double factor);
 // The trunk's alone. std::invalid_argument as above.
 RobotDescription scale_trunk_inertia(RobotDescription robot, double factor);
 
+// Every link's rotational inertia about its centre of mass alone; masses stay. std::invalid_argument as above.
+RobotDescription scale_rotational_inertia(RobotDescription robot, double factor);
+
 }  // namespace dob

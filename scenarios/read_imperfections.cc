@@ -19,6 +19,7 @@ void read_imperfections(Reader& r, Scenario& s) {
   r.table("model_error", [&](Reader& t) {
     s.model_error.mass_scale = t.number("mass_scale", kScale);
     s.model_error.trunk_mass_scale = t.number("trunk_mass_scale", kScale);
+    s.model_error.rotational_inertia_scale = t.number("rotational_inertia_scale", kScale);
   });
   r.table("sensing", [&](Reader& t) {
     s.sensing.base_velocity_noise = t.number("base_velocity_noise_m_s", kNoise);

@@ -49,10 +49,11 @@ struct SeedVariation {
 // How far the model that controller and observer compute with is from the simulated robot: factors on masses and
 // inertias, 1 for a true one. Centres of mass within the links stay.
 struct ModelError {
-  double mass_scale = 1.0;        // of every link
-  double trunk_mass_scale = 1.0;  // of the trunk, besides
+  double mass_scale = 1.0;                // of every link
+  double trunk_mass_scale = 1.0;          // of the trunk, besides
+  double rotational_inertia_scale = 1.0;  // of every link's inertia about its centre of mass alone, besides
 
-  bool none() const noexcept { return mass_scale == 1.0 && trunk_mass_scale == 1.0; }
+  bool none() const noexcept { return mass_scale == 1.0 && trunk_mass_scale == 1.0 && rotational_inertia_scale == 1.0; }
 };
 
 struct Scenario {

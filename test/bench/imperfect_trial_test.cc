@@ -52,6 +52,20 @@ TEST(ModelErrorInATrial, ChangesTheCentreOfMassOfTheModelWithTheTrunkAndNotThatO
   EXPECT_GT(com_z, trial.record().com.z() + 0.001);                        // the trunk is above the legs
 }
 
+TEST(ModelErrorInATrial, ScalesRotationalInertiaAndLeavesMassesAndTheirCentre) {
+  Scenario scenario = load("undisturbed", 1.0);
+  const Trial exact(scenario, load_observer("none", "paper"), 1);
+  scenario.model_error.rotational_inertia_scale = 2.0;
+  const Trial twice(scenario, load_observer("none", "paper"), 1);
+  scenario.model_error.rotational_inertia_scale = 4.0;
+  const Trial four_times(scenario, load_observer("none", "paper"), 1);
+  EXPECT_EQ(twice.model_terms().mass, exact.model_terms().mass);
+  EXPECT_EQ(twice.model_terms().p_com, exact.model_terms().p_com);
+  const auto added = (twice.model_terms().I_c - exact.model_terms().I_c).eval();
+  EXPECT_GT(added.norm(), 1e-3);
+  EXPECT_LT((four_times.model_terms().I_c - exact.model_terms().I_c - 3.0 * added).norm(), 1e-12);
+}
+
 // A force on the CoM of -e m g: the observer explains the ground's forces, which carry m g, with (1 + e) m g.
 TEST(ModelErrorInATrial, IsAConstantWeightToAnObserverOfTheCentreOfMassAndNothingToTheLegs) {
   Scenario scenario = load("undisturbed", 3.0);

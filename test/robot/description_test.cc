@@ -249,6 +249,23 @@ TEST(ScaleTrunkInertia, MultipliesTheTrunkAlone) {
   EXPECT_THROW(scale_trunk_inertia(robot, 0.0), std::invalid_argument);
 }
 
+TEST(ScaleRotationalInertia, LeavesMassesAndCentresOfMass) {
+  const RobotDescription robot = load_robot(dogbot_urdf(), Forward::kMinusY);
+  const RobotDescription slow = scale_rotational_inertia(robot, 2.5);
+  const auto expect_scaled = [](const LinkInertia& after, const LinkInertia& before) {
+    EXPECT_EQ(after.mass, before.mass);
+    EXPECT_EQ(after.com, before.com);
+    EXPECT_EQ(after.inertia, Mat3(2.5 * before.inertia));
+  };
+  expect_scaled(slow.trunk.inertia, robot.trunk.inertia);
+  for (std::size_t leg = 0; leg < kLegs; ++leg) {
+    for (std::size_t i = 0; i < kJointsPerLeg; ++i) {
+      expect_scaled(slow.legs.at(leg).links.at(i).inertia, robot.legs.at(leg).links.at(i).inertia);
+    }
+  }
+  EXPECT_THROW(scale_rotational_inertia(robot, 0.0), std::invalid_argument);
+}
+
 TEST(ScaleInertia, RefusesAFactorThatIsNotPositive) {
   const RobotDescription robot = load_robot(dogbot_urdf(), Forward::kMinusY);
   EXPECT_THROW(scale_inertia(robot, 0.0), std::invalid_argument);

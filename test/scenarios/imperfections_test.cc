@@ -32,7 +32,8 @@ TEST(Imperfections, SayWhatIsWrongAndWhere) {
   EXPECT_EQ(error_with("[model_error]\nmass_scale = 0\n"),
             "mine.toml:6:1: model_error.mass_scale: 0; allowed: a number above 0 to 10");
   EXPECT_EQ(error_with("[model_error]\ntrunk_scale = 1.3\n"),
-            "mine.toml:6:1: model_error.trunk_scale: unknown key 'trunk_scale'; allowed: mass_scale, trunk_mass_scale");
+            "mine.toml:6:1: model_error.trunk_scale: unknown key 'trunk_scale'; allowed: mass_scale, trunk_mass_scale, "
+            "rotational_inertia_scale");
   EXPECT_EQ(error_with("[sensing]\n  delay_ticks = 11\n"),
             "mine.toml:6:3: sensing.delay_ticks: 11; allowed: a whole number from 0 to 10");
   EXPECT_EQ(error_with("[sensing]\ndelay_ticks = 1.5\n"),

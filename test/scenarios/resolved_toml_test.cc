@@ -77,7 +77,7 @@ std::string print(const Scenario& s) {
   print_motion(p, s);
   print_world(p, s);
   p(s.noise.torque_relative, s.noise.foot_force_relative, s.metric_leg ? static_cast<int>(*s.metric_leg) : -1);
-  p(s.model_error.mass_scale, s.model_error.trunk_mass_scale);
+  p(s.model_error.mass_scale, s.model_error.trunk_mass_scale, s.model_error.rotational_inertia_scale);
   const SensingErrors& e = s.sensing;
   p(e.base_velocity_noise, e.base_angular_velocity_noise, e.torque_bias, e.foot_force_bias, e.delay_ticks);
   for (const Payload& load : s.payloads) p(load.start_s, load.mass, load.p_B.x(), load.p_B.y(), load.p_B.z());
