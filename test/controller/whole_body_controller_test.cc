@@ -158,6 +158,40 @@ TEST_F(WholeBodyControllerTest, SwingResponseIsTheConstrainedAccelerationOfTheFo
   for (const int l : {1, 2}) EXPECT_TRUE(response.segment<3>(3 * l).isZero(0.0));
 }
 
+// (16), term by term: the reference's lead pulls, the body's own pushes back, the weight is carried.
+TEST_F(WholeBodyControllerTest, DesiredWrenchPullsTowardsTheReferenceAndCarriesTheWeight) {
+  WbcOptions options;
+  options.wrench_kp << 100.0, 110.0, 120.0, 130.0, 140.0, 150.0;
+  options.wrench_kd << 10.0, 11.0, 12.0, 13.0, 14.0, 15.0;
+  in.m.p_com = in.reference.com.p;
+  in.m.state.R_WB = in.reference.R_WB;
+  in.m.v_c.head<3>() = in.reference.com.v;
+  in.m.state.omega_WB = in.reference.omega;
+  in.reference.com.a.setZero();
+  in.reference.alpha.setZero();
+  Vec6 weight = Vec6::Zero();
+  weight[2] = in.m.mass * kGravity;
+  const auto added = [&](const ModelTerms& m, const MotionReference& reference) {
+    return Vec6(desired_wrench(m, reference, options) - weight);
+  };
+  EXPECT_LT(added(in.m, in.reference).norm(), 1e-9);
+
+  const Vec3 ahead(0.02, -0.03, 0.04);
+  ModelTerms behind = in.m;
+  behind.p_com -= ahead;
+  EXPECT_LT((added(behind, in.reference).head<3>() - Vec3(2.0, -3.3, 4.8)).norm(), 1e-9);
+  ModelTerms slow = in.m;
+  slow.v_c.head<3>() -= ahead;
+  slow.state.omega_WB -= 10.0 * ahead;
+  EXPECT_LT((added(slow, in.reference).head<3>() - Vec3(0.2, -0.33, 0.48)).norm(), 1e-9);
+  EXPECT_LT((added(slow, in.reference).tail<3>() - Vec3(2.6, -4.2, 6.0)).norm(), 1e-9);
+  MotionReference accelerating = in.reference;
+  accelerating.com.a = ahead;
+  accelerating.alpha = ahead;
+  EXPECT_LT((added(in.m, accelerating).head<3>() - in.m.mass * ahead).norm(), 1e-9);
+  EXPECT_LT((added(in.m, accelerating).tail<3>() - in.m.I_c * ahead).norm(), 1e-9);
+}
+
 // (16) as printed: a difference of angles, each taken the short way round.
 TEST_F(WholeBodyControllerTest, ZyxAnglesAreSubtractedOneByOne) {
   const auto rotation = [](double roll, double pitch, double yaw) {
