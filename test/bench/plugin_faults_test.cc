@@ -113,7 +113,7 @@ TEST_F(PluginFaults, EveryOneOfThemIsARowWithTheReasonAndTheOthersStayAsTheyAre)
       {"not", ""},
       {"print", ""},
   };
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if !defined(DOB_SANITIZED)
   reasons["allocate"] = "out of memory: the limit is 4000 MB (--memory-limit)";
 #endif
   expect_reasons(reasons);

@@ -161,7 +161,7 @@ TEST(WorkerFaults, AnExceptionOutOfANoexceptFunctionIsItsText) {
   EXPECT_EQ(outcome_of([]() -> std::string { std::terminate(); }).reason, "std::terminate() was called");
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if !defined(DOB_SANITIZED)
 TEST(WorkerFaults, MoreMemoryThanTheLimitIsAReason) {
   const auto allocate = []() -> std::string {
     const std::vector<char> block(std::size_t{2} << 30U, 'x');

@@ -10,7 +10,7 @@
 namespace dob::test {
 
 inline Model dogbot_model() {
-  return Model(load_robot(std::string(DOB_SOURCE_DIR) + "/robot/dogbot/dogbot.urdf", Forward::kMinusY));
+  return Model(load_robot(DOB_SOURCE_DIR "/robot/dogbot/dogbot.urdf", Forward::kMinusY));
 }
 
 inline ModelTerms standing_dogbot(const Model& model, const PlannerOptions& options = {}) {
