@@ -68,7 +68,7 @@ void require_room(const SlurmOptions& options, const std::string& campaign, cons
       same_shards(read_text_file(array, kLargestScript), scripts.array))
     return;
   throw InputError({"--out"}, options.dir.string(),
-                   "holds the scripts of another campaign (other file, --tasks, --budget, program or working "
+                   "holds the scripts of another campaign (other file, --tasks, --cpus, --budget, program or working "
                    "directory); allowed: a new or empty directory");
 }
 
