@@ -142,7 +142,7 @@ TEST_F(Resume, TimingIsKeptApartFromTheTable) {
   ASSERT_EQ(run.timings.size(), 1U);  // the first seed
   EXPECT_EQ(run.timings[0].key, run.info.cells[0]);
   EXPECT_GT(run.timings[0].qp_p50_us, 0.0);
-  EXPECT_GT(run.timings[0].tick_p50_us, run.timings[0].qp_p50_us);
+  EXPECT_GT(run.timings[0].tick_p50_us, 0.0);  // of all ticks; most solve no QP
   EXPECT_GE(run.timings[0].tick_p99_us, run.timings[0].tick_p50_us);
   EXPECT_GE(run.timings[0].tick_max_us, run.timings[0].tick_p99_us);
   expect_refused("timing case1 --observer none --out run", {"does not belong to the run"});
