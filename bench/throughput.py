@@ -18,10 +18,11 @@ MERGED_ROWS = 1_000_000
 SHARDS = 4
 
 
-def run(*arguments):
-    """(wall time [s], processor time [s], largest resident set [MB]) of dobbench and its processes."""
+def run(*arguments, watch=lambda child: None):
+    """(wall time [s], processor time [s], largest resident set [MB]) of dobbench and its processes; watch(child) meanwhile."""
     start = time.monotonic()
     child = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.DEVNULL)
+    watch(child)
     _, status, usage = os.wait4(child.pid, 0)
     if os.waitstatus_to_exitcode(status) not in (0, 3):
         sys.exit(f"dobbench {' '.join(map(str, arguments))}: exit code {os.waitstatus_to_exitcode(status)}")
@@ -82,17 +83,12 @@ def memory(out):
           "run.sqlite [MB] |\n|---:|---:|---:|---:|---:|---:|")
     for cells in (100, 1_000, 10_000, 100_000):
         directory = out / f"memory_{cells}"
-        start = time.monotonic()
-        child = subprocess.Popen([PROGRAM, "run", "undisturbed", "--observer", "none", "--set", "duration_s=0.002", "--seeds",
-                                  str(cells), "--keep", "none", "--jobs", "2", "--out", str(directory)],
-                                 stdout=subprocess.DEVNULL)
-        running = largest_while_running(child, directory, cells)
-        _, status, usage = os.wait4(child.pid, 0)
-        if os.waitstatus_to_exitcode(status) != 0:
-            sys.exit(f"memory: exit code {os.waitstatus_to_exitcode(status)}")
-        wall = time.monotonic() - start
+        running = []
+        wall, _, resident = run("run", "undisturbed", "--observer", "none", "--set", "duration_s=0.002", "--seeds", cells,
+                                "--keep", "none", "--jobs", "2", "--out", directory,
+                                watch=lambda child: running.append(largest_while_running(child, directory, cells)))
         size = (directory / "run.sqlite").stat().st_size / 1e6
-        print(f"| {cells} | {wall:.1f} | {cells / wall:.0f} | {running:.0f} | {usage.ru_maxrss / 1024:.0f} | {size:.1f} |",
+        print(f"| {cells} | {wall:.1f} | {cells / wall:.0f} | {running[0]:.0f} | {resident:.0f} | {size:.1f} |",
               flush=True)
 
 
