@@ -97,7 +97,7 @@ docs:
 .PHONY: package test-deb
 # Debian packages in build/packages, from a build without tests; installed, run and removed on a bare Debian 12 (as root).
 package: setup
-	cmake -G Ninja -S . -B build/package -DCMAKE_BUILD_TYPE=Release -DDOB_TESTS=OFF -DDOB_WERROR=$(WERROR) >/dev/null
+	cmake -G Ninja -S . -B build/package -DCMAKE_BUILD_TYPE=Release -DDOB_UNITY=ON -DDOB_TESTS=OFF -DDOB_WERROR=$(WERROR) >/dev/null
 	cmake --build build/package -j $(JOBS)
 	rm -rf build/packages
 	cpack --config build/package/CPackConfig.cmake -B build/packages >/dev/null

@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 // Section 5.1 to the letter.
 constexpr const char* kAsPrinted = "momentum:gains=17.5;6.28;2.25,allow_unstable=true";
 
-struct Arguments {
+struct AnalyseArguments {
   std::vector<std::string> observers;
   std::vector<std::string> profiles;
   double tick = 0.0;  // [s] 0: that of the scenarios
@@ -183,7 +183,7 @@ ModelTerms standing_robot(const Scenario& s) {
 }
 
 // Every observer of every profile once; the paper's gains as printed beside them when nothing else was asked for.
-std::vector<ObserverConfig> requested(const Arguments& arguments, double dt) {
+std::vector<ObserverConfig> requested(const AnalyseArguments& arguments, double dt) {
   std::vector<std::string> names = arguments.observers;
   if (names.empty()) {
     for (const ObserverInfo& info : built_in_observers()) {
@@ -205,7 +205,7 @@ std::vector<ObserverConfig> requested(const Arguments& arguments, double dt) {
   return configs;
 }
 
-int run(const Arguments& arguments) {
+int run(const AnalyseArguments& arguments) {
   const Scenario scenario = load_scenarios({.name = "undisturbed"}).at(0);
   const double dt = arguments.tick > 0.0 ? arguments.tick : scenario.sim.dt;
   const std::vector<ObserverConfig> configs = requested(arguments, dt);
@@ -231,7 +231,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Command add_analyse_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<AnalyseArguments>();
   CLI::App* command =
       app.add_subcommand("analyse", "poles, stability, bandwidth, delay, overshoot and noise gain of observers");
   command->add_option("observer", arguments->observers, "NAME[:key=value,...]; every built-in one by default");

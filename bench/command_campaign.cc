@@ -18,7 +18,7 @@
 namespace dob {
 namespace {
 
-struct Arguments {
+struct CampaignArguments {
   std::string file;
   std::vector<std::string> overrides;
   long trials = 0;
@@ -46,7 +46,7 @@ BatchSummary run_or_say_how_to_go_on(const CampaignPlan& plan, const BatchOption
   }
 }
 
-int run(Arguments& arguments) {
+int run(CampaignArguments& arguments) {
   const CampaignSpec spec = read_campaign_spec(arguments.file, arguments.overrides, arguments.trials);
   CampaignPlan plan = plan_campaign(spec);
   take_shard(plan.batch, parse_shard(arguments.shard));
@@ -86,7 +86,7 @@ void add_batch_options(CLI::App& command, BatchOptions& options) {
 }  // namespace
 
 Command add_campaign_command(CLI::App& app, const std::string& command_line) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CampaignArguments>();
   arguments->options.command_line = command_line;
   CLI::App* command = app.add_subcommand(
       "campaign", "how much an observer can take: limits, maps, breakdown curves, factorials over many trials");

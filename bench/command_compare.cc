@@ -21,11 +21,11 @@ const MetricField& find_metric(const std::string& name) {
 }  // namespace
 
 Command add_compare_command(CLI::App& app) {
-  struct Arguments {
+  struct CompareArguments {
     std::string a, b;
     std::string metric = "com_error_max_m";
   };
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CompareArguments>();
   CLI::App* command = app.add_subcommand("compare", "two run directories, run by run: exit code 1 when B is worse");
   command->add_option("A", arguments->a, "run directory: what was")->required();
   command->add_option("B", arguments->b, "run directory: what is")->required();

@@ -31,7 +31,7 @@ _dobbench() {
 if [[ "${funcstack[1]}" = _dobbench ]]; then _dobbench "$@"; else compdef _dobbench dobbench; fi
 )";
 
-std::vector<std::string> scenarios() {
+std::vector<std::string> scenario_names() {
   std::vector<std::string> names;
   for (const ScenarioInfo& info : list_scenarios()) {
     names.push_back(info.name);
@@ -40,7 +40,7 @@ std::vector<std::string> scenarios() {
   return names;
 }
 
-std::vector<std::string> observers() {
+std::vector<std::string> observer_names() {
   std::vector<std::string> names;
   for (const ObserverInfo& info : built_in_observers()) names.emplace_back(info.name);
   return names;
@@ -70,9 +70,9 @@ std::vector<std::string> planners() {
 }  // namespace
 
 int print_completions(const CLI::App& app, const std::vector<std::string>& words) {
-  const NameSources names{{"scenario", scenarios}, {"observer", observers},      {"--observer", observers},
-                          {"--shadow", observers}, {"--profile", list_profiles}, {"--gains", gains},
-                          {"--planner", planners}, {"--metric", metrics},        {"--reference", observers}};
+  const NameSources names{{"scenario", scenario_names}, {"observer", observer_names}, {"--observer", observer_names},
+                          {"--shadow", observer_names}, {"--profile", list_profiles}, {"--gains", gains},
+                          {"--planner", planners},      {"--metric", metrics},        {"--reference", observer_names}};
   for (const std::string& word : completions(app, words, names)) fmt::print("{}\n", word);
   return kExitOk;
 }

@@ -15,13 +15,13 @@
 namespace dob {
 namespace {
 
-struct Arguments {
+struct FiguresArguments {
   std::filesystem::path dir, out;
   FigureFormat format = FigureFormat::kSvg;
   FigureRequest request;
 };
 
-void list(const std::vector<MadeFigure>& figures, const Arguments& arguments) {
+void list(const std::vector<MadeFigure>& figures, const FiguresArguments& arguments) {
   for (const MadeFigure& made : figures) {
     if (!made.figure) continue;
     fmt::print("{}.{}  {}\n", made.spec->id, to_string(arguments.format), made.spec->caption);
@@ -39,7 +39,7 @@ struct Drawn {
   std::vector<CampaignFigure> campaign;
   std::vector<MadeFigure> figures;
 
-  explicit Drawn(const Arguments& arguments) {
+  explicit Drawn(const FiguresArguments& arguments) {
     Run run = read_run(arguments.dir);
     if (const std::optional<Campaign> read = read_campaign(arguments.dir)) {
       campaign = campaign_figures(campaign_result(*read, run), arguments.request);
@@ -54,7 +54,7 @@ struct Drawn {
   Drawn& operator=(const Drawn&) = delete;
 };
 
-int draw(Arguments arguments) {
+int draw(FiguresArguments arguments) {
   if (arguments.out.empty()) {
     arguments.out = arguments.dir / "figures";
     require_plain_directory(arguments.out);
@@ -83,7 +83,7 @@ int draw(Arguments arguments) {
 Command add_figures_command(CLI::App& app) {
   const std::map<std::string, FigureFormat> formats{
       {"svg", FigureFormat::kSvg}, {"pdf", FigureFormat::kPdf}, {"png", FigureFormat::kPng}};
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<FiguresArguments>();
   CLI::App* command =
       app.add_subcommand("figures", "the paper's figures, redrawn from a run directory, or those of a campaign");
   command->add_option("dir", arguments->dir, "run directory")->required();

@@ -73,11 +73,11 @@ void print_section(const std::string& title, const Json& list) {
 }  // namespace
 
 Command add_list_command(CLI::App& app) {
-  struct Arguments {
+  struct ListArguments {
     std::string what;
     bool json = false;
   };
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ListArguments>();
   CLI::App* command = app.add_subcommand("list", "what there is to run");
   command
       ->add_option("what", arguments->what,

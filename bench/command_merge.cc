@@ -9,7 +9,7 @@
 namespace dob {
 namespace {
 
-struct Arguments {
+struct MergeArguments {
   std::vector<std::filesystem::path> dirs;
   std::filesystem::path out;
 };
@@ -19,7 +19,7 @@ void print_missing(const std::vector<int>& shards, int count, std::string_view w
   fmt::print("  {} of {} shards {}: {}\n", shards.size(), count, what, fmt::join(shards, ", "));
 }
 
-int run(const Arguments& arguments) {
+int run(const MergeArguments& arguments) {
   const MergeSummary merged = merge_runs(arguments.dirs, arguments.out);
   const int count = merged.shards.front().count;
   fmt::print("{}: {} of {} shards, {} of {} planned cells, {} finished{}\n", arguments.out.string(),
@@ -33,7 +33,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Command add_merge_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<MergeArguments>();
   CLI::App* command = app.add_subcommand("merge", "shards of a run or of a campaign as one run directory");
   command->add_option("dir", arguments->dirs, "run directories made with --shard, or merged from such")
       ->required()

@@ -16,20 +16,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct ReportArguments {
   fs::path dir, out;
   ReportOptions options;
 };
 
 // So that a slip does not replace what a run consists of.
-fs::path page_file(const Arguments& arguments) {
+fs::path page_file(const ReportArguments& arguments) {
   if (arguments.out.empty()) return arguments.dir / "report.html";
   if (arguments.out.extension() == ".html" || arguments.out.extension() == ".htm") return arguments.out;
   throw InputError(fmt::format("-o {}: allowed: a file name that ends in .html", arguments.out.string()));
 }
 
 // A place where no page can be is a wrong answer to -o: nothing is lost.
-ReportSummary write_page(const Arguments& arguments, const fs::path& file) {
+ReportSummary write_page(const ReportArguments& arguments, const fs::path& file) {
   try {
     return write_report(arguments.dir, file, arguments.options);
   } catch (const WriteError& error) {
@@ -37,7 +37,7 @@ ReportSummary write_page(const Arguments& arguments, const fs::path& file) {
   }
 }
 
-int run(const Arguments& arguments) {
+int run(const ReportArguments& arguments) {
   const fs::path file = page_file(arguments);
   const ReportSummary summary = write_page(arguments, file);
   fmt::print("{}: {:.2f} MB, time series of {} cells\n", file.string(), 1e-6 * static_cast<double>(summary.bytes),
@@ -50,7 +50,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Command add_report_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ReportArguments>();
   const BuildInfo build = build_info();
   arguments->options.version = build.version;
   arguments->options.commit = build.commit;

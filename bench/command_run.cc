@@ -29,7 +29,7 @@ constexpr int kMaxSeed = 1'000'000;
 constexpr std::array kOperational{"--resume", "--retry-errors", "--out",      "--jobs",         "--timeout", "--claims",
                                   "--keep",   "--log",          "--log-rate", "--memory-limit", "--plugin"};
 
-struct Arguments {
+struct RunArguments {
   BatchRequest request;
   BatchOptions options;
   std::vector<std::string> shadows;
@@ -64,22 +64,22 @@ void read_seeds(const std::string& text, BatchRequest& request) {
   if (request.last_seed < request.first_seed) parse_seed("", text);
 }
 
-void split_shadows(Arguments& arguments) {
+void split_shadows(RunArguments& arguments) {
   for (const std::string& list : arguments.shadows) {
     for (std::string& shadow : split_specifications(list)) arguments.request.shadows.push_back(std::move(shadow));
   }
 }
 
-CLI::App* add_options(CLI::App& app, Arguments* arguments);
+CLI::App* add_options(CLI::App& app, RunArguments* arguments);
 
 // The arguments of the command line that began the run in `dir`.
-Arguments arguments_of_run(const std::filesystem::path& dir) {
+RunArguments arguments_of_run(const std::filesystem::path& dir) {
   std::vector<std::string> words = split_words(read_run_info(dir).command_line);
   if (words.size() < 2 || words[1] != "run") {
     throw StoreError(
         fmt::format("{}: was not begun by `dobbench run`; give the arguments that began it", dir.string()));
   }
-  Arguments stored;
+  RunArguments stored;
   CLI::App app;
   add_options(app, &stored);
   std::reverse(words.begin(), words.end());
@@ -99,14 +99,14 @@ bool asks_for_nothing(const CLI::App& command) {
 }
 
 // `run --resume --out DIR` alone goes on with what began the run, and with the time series that were asked for then.
-void take_plan_of_run(Arguments& arguments, const CLI::App& command) {
+void take_plan_of_run(RunArguments& arguments, const CLI::App& command) {
   const std::filesystem::path& dir = arguments.options.out;
   if (dir.empty()) throw InputError("--resume: needs --out DIR");
   if (!is_run_directory(dir)) {
     throw InputError(
         fmt::format("--resume: {} holds no run to go on with; to begin one there, say what to run", dir.string()));
   }
-  Arguments stored = arguments_of_run(dir);
+  RunArguments stored = arguments_of_run(dir);
   require_consent(stored.request, arguments.plugins, "--resume: " + dir.string());
   if (command.count("--keep") == 0) arguments.keep = stored.keep;
   if (command.count("--log") == 0) arguments.log = stored.log;
@@ -132,7 +132,7 @@ BatchSummary run_or_say_how_to_go_on(const BatchPlan& plan, const BatchOptions& 
 }
 
 // The plan is gone when the results are read: of a large batch either is large.
-BatchSummary plan_and_run(const Arguments& arguments) {
+BatchSummary plan_and_run(const RunArguments& arguments) {
   try_plugins(arguments.request);
   BatchPlan plan = plan_batch(arguments.request);
   take_shard(plan, parse_shard(arguments.shard));
@@ -140,7 +140,7 @@ BatchSummary plan_and_run(const Arguments& arguments) {
   return run_or_say_how_to_go_on(plan, arguments.options);
 }
 
-int run(Arguments& arguments, const CLI::App& command) {
+int run(RunArguments& arguments, const CLI::App& command) {
   if (arguments.options.resume && asks_for_nothing(command)) take_plan_of_run(arguments, command);
   if (command.count("--log-rate") > 0 && arguments.log != "csv") throw InputError("--log-rate: needs --log csv");
   read_seeds(arguments.seeds, arguments.request);
@@ -158,7 +158,7 @@ int run(Arguments& arguments, const CLI::App& command) {
   return summary.errors > 0 ? kExitCellErrors : kExitOk;
 }
 
-CLI::App* add_options(CLI::App& app, Arguments* arguments) {
+CLI::App* add_options(CLI::App& app, RunArguments* arguments) {
   const std::map<std::string, Keep> keeps{{"none", Keep::kNone}, {"first-seed", Keep::kFirstSeed}, {"all", Keep::kAll}};
   BatchRequest& request = arguments->request;
   BatchOptions& options = arguments->options;
@@ -221,7 +221,7 @@ BatchRequest request_of_run(const std::filesystem::path& dir, const std::vector<
 }
 
 Command add_run_command(CLI::App& app, const std::string& command_line) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RunArguments>();
   const CLI::App* command = add_options(app, arguments.get());
   arguments->options.command_line = command_line;
   return [arguments, command] { return run(*arguments, *command); };

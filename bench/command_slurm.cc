@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestScript = 1 << 20;  // [bytes]
 
-struct Arguments {
+struct SlurmArguments {
   fs::path file;
   SlurmOptions slurm;
   int budget = 0;  // 0: the file's
@@ -42,7 +42,7 @@ std::string read_campaign_file(const fs::path& file, long trials) {
   return read_text_file(file, kMostBytes);
 }
 
-SlurmOptions complete(const Arguments& arguments) {
+SlurmOptions complete(const SlurmArguments& arguments) {
   SlurmOptions options = arguments.slurm;
   const std::string name = arguments.file.stem().string();
   if (options.dir.empty()) options.dir = fs::path("dobbench-results") / name;
@@ -103,7 +103,7 @@ void submit(const fs::path& dir) {
       fmt::format("sbatch is not there or refuses the jobs (see above); the scripts are in {}", dir.string()));
 }
 
-int run(const Arguments& arguments) {
+int run(const SlurmArguments& arguments) {
   const std::string campaign = read_campaign_file(arguments.file, arguments.budget);
   const SlurmOptions options = complete(arguments);
   validate(options);
@@ -119,7 +119,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Command add_slurm_command(CLI::App& app) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<SlurmArguments>();
   SlurmOptions& slurm = arguments->slurm;
   CLI::App* command = app.add_subcommand("slurm", "a campaign as a job array of Slurm, and the job that merges it");
   command->add_option("file", arguments->file, "the campaign, NAME.toml")->required()->type_name("FILE");

@@ -22,7 +22,7 @@ std::string campaign_table(const std::string& dir, TableFormat format) {
 }  // namespace
 
 Command add_table_command(CLI::App& app) {
-  struct Arguments {
+  struct TableArguments {
     std::string dir;
     TableOptions options;
     bool claims = false;
@@ -36,7 +36,7 @@ Command add_table_command(CLI::App& app) {
                                                    {"json", TableFormat::kJson}};
   const std::map<std::string, TableOrder> orders{{"scenario", TableOrder::kByScenario},
                                                  {"observer", TableOrder::kByObserver}};
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<TableArguments>();
   CLI::App* command = app.add_subcommand("table", "the comparison table of a run directory");
   command->add_option("dir", arguments->dir, "run directory")->required();
   command->add_option("--format", arguments->options.format, "text, md, csv, latex or json")

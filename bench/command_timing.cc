@@ -15,7 +15,7 @@
 namespace dob {
 namespace {
 
-struct Arguments {
+struct TimingArguments {
   BatchRequest request;
   std::filesystem::path out;                   // a run; empty: the figures are printed only
   std::vector<std::filesystem::path> plugins;  // of that run
@@ -99,7 +99,7 @@ void require_cells_of(const std::filesystem::path& dir, const BatchPlan& plan) {
   }
 }
 
-int run(const Arguments& arguments) {
+int run(const TimingArguments& arguments) {
   const bool plan_of_run = !arguments.out.empty() && is_empty(arguments.request);
   const BatchRequest request = plan_of_run ? request_of_run(arguments.out, arguments.plugins) : arguments.request;
   try_plugins(request);
@@ -113,7 +113,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Command add_timing_command(CLI::App& app, const std::string& command_line) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<TimingArguments>();
   arguments->command_line = command_line;
   BatchRequest& request = arguments->request;
   CLI::App* command =

@@ -14,7 +14,7 @@
 namespace dob {
 namespace {
 
-struct Arguments {
+struct TuneArguments {
   std::vector<std::string> observers;
   int budget = 24;
   std::filesystem::path out;
@@ -30,7 +30,7 @@ std::string search_log(const std::vector<TuningResult>& results) {
   return text;
 }
 
-int run(Arguments& arguments) {
+int run(TuneArguments& arguments) {
   for (const std::string& observer : arguments.observers) load_tuning_space(observer);  // all or nothing
   const TuningProcedure procedure = load_tuning_procedure();
   const BuildInfo build = build_info();
@@ -67,7 +67,7 @@ int run(Arguments& arguments) {
 }  // namespace
 
 Command add_tune_command(CLI::App& app, const std::string& command_line) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<TuneArguments>();
   arguments->options.command_line = command_line;
   arguments->options.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   CLI::App* command = app.add_subcommand("tune", "search an observer's gains and routing on the training seeds");

@@ -13,13 +13,13 @@
 namespace dob {
 namespace {
 
-struct Arguments {
+struct VerifyArguments {
   std::string dir;
   VerifyOptions options;
   TableFormat format = TableFormat::kText;
 };
 
-int run(Arguments& arguments) {
+int run(VerifyArguments& arguments) {
   arguments.options.progress = ::isatty(STDERR_FILENO) == 1;
   const VerifyResult result = verify_run(arguments.dir, arguments.options);
   const Verification& v = result.verification;
@@ -35,7 +35,7 @@ int run(Arguments& arguments) {
 Command add_verify_command(CLI::App& app) {
   const std::map<std::string, TableFormat> formats{
       {"text", TableFormat::kText}, {"md", TableFormat::kMarkdown}, {"csv", TableFormat::kCsv}};
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<VerifyArguments>();
   VerifyOptions& options = arguments->options;
   options.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   CLI::App* command = app.add_subcommand("verify", "computes cells of a run again and compares them bit for bit");

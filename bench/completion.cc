@@ -22,7 +22,7 @@ Words values_of(const CLI::Option& option, const std::string& name, const NameSo
   return source == names.end() ? Words{} : source->second();
 }
 
-Words options_of(const CLI::App& command) {
+Words option_names_of(const CLI::App& command) {
   Words options;
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_positional() && !option->get_group().empty()) options.push_back(option->get_name());
@@ -64,7 +64,7 @@ Words of_command(const CLI::App& command, const Words& before, const std::string
     waiting = option != nullptr && takes_a_value(*option) ? option : nullptr;
   }
   if (waiting != nullptr) return values_of(*waiting, waiting->get_name(), names);
-  if (begun.starts_with("-")) return options_of(command);
+  if (begun.starts_with("-")) return option_names_of(command);
   return positionals_of(command, positionals, names);
 }
 
@@ -94,7 +94,7 @@ std::vector<std::string> completions(const CLI::App& app, const std::vector<std:
   }
   Words fitting;
   if (before.empty()) {
-    fitting = begun.starts_with("-") ? options_of(app) : names_of_commands(app);
+    fitting = begun.starts_with("-") ? option_names_of(app) : names_of_commands(app);
   } else if (const CLI::App* command = find_command(app, before.front()); command != nullptr) {
     fitting = of_command(*command, {before.begin() + 1, before.end()}, begun, names);
   }

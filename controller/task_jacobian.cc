@@ -39,6 +39,13 @@ bool invert(Mat6& A) noexcept {
 // A knee 2e-5 rad from stretched: what is left of the precision of D^-1 beyond that does not carry a foot.
 constexpr double kSmallestDeterminant = 1e-6;  // [m^3] of a leg's block
 
+// Of the trunk's relation, in SI units. Beyond it a foot does not keep the eight digits it is held to.
+constexpr double kLargestCondition = 1e7;
+
+double infinity_norm(const Mat6& A) noexcept {
+  return A.cwiseAbs().rowwise().sum().maxCoeff();
+}
+
 bool TaskJacobian::factorize(const ModelTerms& m, const PerLeg<LegPoint>& points) noexcept {
   A_c = m.A_c;
   F.topRows<3>() = m.mass * A_c.topRows<3>();
@@ -54,7 +61,7 @@ bool TaskJacobian::factorize(const ModelTerms& m, const PerLeg<LegPoint>& points
     S.noalias() -= A_c.middleCols<3>(3 * l).lazyProduct(E[l]);
   }
   S_inv = S;
-  return invert(S_inv);
+  return invert(S_inv) && infinity_norm(S) * infinity_norm(S_inv) <= kLargestCondition;
 }
 
 Vec12 TaskJacobian::solve(const Vec6& rdd_c, const Vec12& e) const noexcept {

@@ -7,11 +7,11 @@
 namespace dob {
 namespace {
 
-constexpr std::string_view kName = "contact_consistent";
+constexpr std::string_view kContactConsistent = "contact_consistent";
 
 ExactFilterOptions read_options(const ObserverOptions& options, double dt) {
-  check_tick(kName, dt);
-  OptionReader reader(kName, options);
+  check_tick(kContactConsistent, dt);
+  OptionReader reader(kContactConsistent, options);
   const ExactFilterOptions result = read_exact_filter_options(reader, "");
   reader.refuse_unknown();
   return result;

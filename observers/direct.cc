@@ -8,12 +8,12 @@
 namespace dob {
 namespace {
 
-constexpr std::string_view kName = "direct";
+constexpr std::string_view kDirect = "direct";
 
 }  // namespace
 
 DirectOptions read_direct_options(const ObserverOptions& options) {
-  OptionReader reader(kName, options);
+  OptionReader reader(kDirect, options);
   DirectOptions result;
   result.bandwidth = reader.number("bandwidth_rad_s", result.bandwidth, kGainRange);
   reader.refuse_unknown();
@@ -21,7 +21,7 @@ DirectOptions read_direct_options(const ObserverOptions& options) {
 }
 
 DirectObserver::DirectObserver(const DirectOptions& options, double dt) : c_(options.bandwidth / std::numbers::sqrt2) {
-  check_tick(kName, dt);
+  check_tick(kDirect, dt);
 }
 
 void DirectObserver::reset(const ModelTerms& /*now*/) noexcept {

@@ -8,10 +8,10 @@
 namespace dob {
 namespace {
 
-constexpr std::string_view kName = "momentum";
+constexpr std::string_view kMomentum = "momentum";
 
 MomentumGains checked_gains(const MomentumOptions& options, double dt) {
-  if (!std::isfinite(dt) || dt <= 0.0) throw OptionError(kName, "dt", dt, "allowed is a finite tick > 0 s");
+  if (!std::isfinite(dt) || dt <= 0.0) throw OptionError(kMomentum, "dt", dt, "allowed is a finite tick > 0 s");
   MomentumGains gains = scale(options.gains, options.gain_scale);
   std::string reason = check_gains(gains);
   if (reason.empty() && !options.allow_unstable) {
@@ -20,7 +20,7 @@ MomentumGains checked_gains(const MomentumOptions& options, double dt) {
   }
   if (reason.empty()) return gains;
   if (options.gain_scale != 1.0) reason = fmt::format("with gain_scale = {} {}", options.gain_scale, reason);
-  throw OptionError(kName, "gains", options.gains.K, reason);
+  throw OptionError(kMomentum, "gains", options.gains.K, reason);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace dob {
 namespace {
 
-constexpr std::string_view kName = "momentum";
+constexpr std::string_view kOptionsOf = "momentum";
 constexpr NumberRange kGains{.above = 0.0, .max = 1e6};          // [rad/s], far above what any tick holds
 constexpr NumberRange kCoefficients{.above = 0.0, .max = 1e48};  // the same to the power of the largest order
 
@@ -27,7 +27,7 @@ std::string_view way_to_give_gains(const ObserverOptions& options) {
     if (it == options.end()) continue;
     if (!way.empty()) {
       throw OptionError(
-          kName, key, it->second,
+          kOptionsOf, key, it->second,
           fmt::format("{} is given as well; allowed is one of {}", way, fmt::join(kMomentumGainKeys, ", ")));
     }
     way = key;
@@ -36,18 +36,18 @@ std::string_view way_to_give_gains(const ObserverOptions& options) {
 }
 
 void refuse(const ObserverOptions& options, const std::string& key, const std::string& reason) {
-  if (const auto it = options.find(key); it != options.end()) throw OptionError(kName, key, it->second, reason);
+  if (const auto it = options.find(key); it != options.end()) throw OptionError(kOptionsOf, key, it->second, reason);
 }
 
 void require(const ObserverOptions& options, const std::string& key) {
   if (options.contains(key)) return;
-  throw OptionError(kName, "family", options.at("family"), fmt::format("it needs {}, too", key));
+  throw OptionError(kOptionsOf, "family", options.at("family"), fmt::format("it needs {}, too", key));
 }
 
 }  // namespace
 
 MomentumOptions read_momentum_options(const ObserverOptions& options) {
-  OptionReader reader(kName, options);
+  OptionReader reader(kOptionsOf, options);
   MomentumOptions result;
   const std::string_view way = way_to_give_gains(options);
   std::vector<double> K = reader.list("gains", result.gains.K, kGains, kMaxMomentumOrder);
@@ -72,7 +72,7 @@ MomentumOptions read_momentum_options(const ObserverOptions& options) {
   if (order != count) {
     const std::string last =
         way == "coefficients" ? fmt::format("c_0;...;c_{}", order - 1) : fmt::format("gains K_1;...;K_{}", order);
-    throw OptionError(kName, "order", static_cast<double>(order),
+    throw OptionError(kOptionsOf, "order", static_cast<double>(order),
                       fmt::format("it needs as many {}, there are {}", last, count));
   }
   result.gains = way == "coefficients" ? gains_from_coefficients(c) : MomentumGains{std::move(K)};

@@ -9,12 +9,12 @@
 namespace dob {
 namespace {
 
-constexpr std::string_view kName = "nonlinear_dob";
+constexpr std::string_view kNonlinearDob = "nonlinear_dob";
 
 }  // namespace
 
 NonlinearDobOptions read_nonlinear_dob_options(const ObserverOptions& options) {
-  OptionReader reader(kName, options);
+  OptionReader reader(kNonlinearDob, options);
   NonlinearDobOptions result;
   if (reader.choice("reading", {"bandwidth", "literal"}) == "literal") {
     result.reading = NonlinearDobOptions::Reading::kLiteral;
@@ -25,7 +25,7 @@ NonlinearDobOptions read_nonlinear_dob_options(const ObserverOptions& options) {
 }
 
 NonlinearDobObserver::NonlinearDobObserver(const NonlinearDobOptions& options, double dt) : options_(options) {
-  check_tick(kName, dt);
+  check_tick(kNonlinearDob, dt);
 }
 
 void NonlinearDobObserver::reset(const ModelTerms& /*now*/) noexcept {

@@ -6,6 +6,7 @@
 #include "results/campaign_ranks.h"
 #include "results/campaign_text.h"
 #include "results/data_values.h"
+#include "results/store_json.h"
 
 namespace dob {
 namespace {
@@ -68,10 +69,6 @@ Json level_to_json(const LevelResult& level, const CampaignCurve& curve, const C
           {"com_error_max_m_ci95", interval_or_null(level.com_error_ci)},
           {"foot_error_max_m", number_or_null(level.foot_error_m)},
           {"foot_error_max_m_ci95", interval_or_null(level.foot_error_ci)}};
-}
-
-Json axis_to_json(const CampaignAxis& axis) {
-  return {{"name", axis.name}, {"unit", axis.unit}, {"levels", axis.levels}, {"logarithmic", axis.logarithmic}};
 }
 
 Json factorial_to_json(const FactorialResult& factorial) {

@@ -12,10 +12,6 @@
 namespace dob {
 namespace {
 
-Json axis_to_json(const CampaignAxis& axis) {
-  return {{"name", axis.name}, {"unit", axis.unit}, {"levels", axis.levels}, {"logarithmic", axis.logarithmic}};
-}
-
 Json curve_to_json(const CampaignCurve& curve) {
   const CellKey& key = curve.key;
   return {{"key", {key.scenario, key.variant, key.observer, key.profile, key.gains, key.planner, key.overrides}},

@@ -37,7 +37,7 @@ std::optional<Standing> standing_of(const std::string& observer, std::size_t met
 }
 
 // Two observers set against each other, by their figures unless falls tell already.
-struct Comparison {
+struct Standings {
   Verdict verdict = Verdict::kNoData;
   PairedFigures by;
 };
@@ -51,17 +51,17 @@ std::optional<Verdict> no_worse_by_falls(const Finding& a, const Finding& b) {
   return std::nullopt;
 }
 
-Comparison no_worse(const Standing& a, const Standing& b, const OrderingClaim& claim) {
+Standings no_worse(const Standing& a, const Standing& b, const OrderingClaim& claim) {
   if (const auto verdict = no_worse_by_falls(a.finding, b.finding)) return {*verdict, {}};
-  Comparison comparison{.by = pair_by_case(a.groups, b.groups, claim.metric)};
+  Standings comparison{.by = pair_by_case(a.groups, b.groups, claim.metric)};
   const PairedFigures& by = comparison.by;
   if (by.a.empty()) return comparison;
   comparison.verdict = largest(by.a) <= claim.slack * largest(by.b) ? Verdict::kYes : Verdict::kNo;
   return comparison;
 }
 
-Comparison alike(const Standing& a, const Standing& b, const SimilarClaim& claim) {
-  Comparison comparison{.by = pair_by_case(a.groups, b.groups, claim.metric)};
+Standings alike(const Standing& a, const Standing& b, const SimilarClaim& claim) {
+  Standings comparison{.by = pair_by_case(a.groups, b.groups, claim.metric)};
   const PairedFigures& by = comparison.by;
   if (by.a.empty()) return comparison;
   const auto [less, more] = std::minmax({largest(by.a), largest(by.b)});
@@ -105,7 +105,7 @@ class Answer {
  public:
   Answer(const std::vector<Standing>& all, std::size_t metric) : all_(all), metric_(metric) {}
 
-  void add(const Standing& a, const Standing& b, const Comparison& comparison) {
+  void add(const Standing& a, const Standing& b, const Standings& comparison) {
     const std::string one = short_name(a, all_), other = short_name(b, all_);
     if (comparison.verdict == Verdict::kNo) no_ = true;
     if (comparison.verdict == Verdict::kNoData)

@@ -20,7 +20,7 @@ struct Kind {
 template <auto read_test>
 constexpr auto as_test = [](Reader& reader, const std::string& subject) -> Test { return read_test(reader, subject); };
 
-const std::array<Choice<Kind>, 9> kKinds{{
+const std::array<Choice<Kind>, 9> kClaimKinds{{
     {"bound", {"bound", as_test<read_bound>}},
     {"fall", {"fall", as_test<read_fall>}},
     {"survive", {"survive", as_test<read_survive>}},
@@ -65,7 +65,7 @@ Claim read_claim(Reader& reader, const ClaimSet& set, const std::vector<Contrast
   claim.text = reader.text("text");
   claim.paper = reader.text("paper");
   claim.source = reader.text("source");
-  const Kind kind = reader.choice("kind", kKinds);
+  const Kind kind = reader.choice("kind", kClaimKinds);
   claim.kind = kind.word;
   claim.along = kind.word == "grows";
   claim.cells = reader.texts(claim.along ? "along" : "cells");

@@ -10,12 +10,12 @@
 namespace dob {
 namespace {
 
-struct Count {
+struct VerdictCount {
   int yes = 0, no = 0, no_data = 0;
 };
 
-Count count(const std::vector<const ClaimRow*>& rows) {
-  Count count;
+VerdictCount count(const std::vector<const ClaimRow*>& rows) {
+  VerdictCount count;
   for (const ClaimRow* row : rows) {
     const Verdict verdict = row->finding.verdict;
     ++(verdict == Verdict::kYes ? count.yes : verdict == Verdict::kNo ? count.no : count.no_data);
@@ -24,7 +24,7 @@ Count count(const std::vector<const ClaimRow*>& rows) {
 }
 
 std::string title_of(const Setting& setting, const std::vector<const ClaimRow*>& rows) {
-  const Count n = count(rows);
+  const VerdictCount n = count(rows);
   return fmt::format("Profile {}, gains {}, planner {}{}: {} hold, {} do not, {} without data", setting.profile,
                      setting.gains, setting.planner,
                      setting.overrides.empty() ? "" : fmt::format(", set {}", setting.overrides), n.yes, n.no,
@@ -36,35 +36,35 @@ std::string or_dash(const std::string& text) {
 }
 
 // Markdown has room for our figure and a note in the row; elsewhere the verdict has to do, and notes stand below.
-enum class Layout { kWide, kNarrow };
+enum class Width { kWide, kNarrow };
 
-std::string ours_cell(const std::optional<Finding>& ours, Layout layout) {
+std::string ours_cell(const std::optional<Finding>& ours, Width width) {
   if (!ours) return "-";
   const std::string verdict(to_string(ours->verdict));
-  return ours->measured.empty() || layout == Layout::kNarrow ? verdict : fmt::format("{}: {}", verdict, ours->measured);
+  return ours->measured.empty() || width == Width::kNarrow ? verdict : fmt::format("{}: {}", verdict, ours->measured);
 }
 
 constexpr std::size_t kLongestFigure = 48;  // of a narrow table; what is longer stands below
 
 TableBlock make_block(const ClaimSet& set, const std::string& title, const std::vector<const ClaimRow*>& rows,
-                      Layout layout) {
+                      Width width) {
   TableBlock block;
   block.title = title;
   for (const std::string& heading :
        std::vector<std::string>{"case", "cells", "claim", "paper", "measured", "holds", set.ours}) {
     block.columns.push_back({heading, "", false});
   }
-  if (layout == Layout::kWide) block.columns.push_back({"note", "", false});
+  if (width == Width::kWide) block.columns.push_back({"note", "", false});
   for (const ClaimRow* row : rows) {
     const Claim& claim = *row->claim;
     std::string measured = or_dash(row->finding.measured), note = row->note;
-    if (layout == Layout::kNarrow && measured.size() > kLongestFigure) {
+    if (width == Width::kNarrow && measured.size() > kLongestFigure) {
       note = fmt::format("{}{}{}", measured, note.empty() ? "" : "; ", note);
       measured = "below";
     }
     block.rows.push_back({claim.study, row->cells, claim.text, claim.paper, measured,
-                          std::string(to_string(row->finding.verdict)), ours_cell(row->ours, layout)});
-    if (layout == Layout::kWide) {
+                          std::string(to_string(row->finding.verdict)), ours_cell(row->ours, width)});
+    if (width == Width::kWide) {
       block.rows.back().push_back(note);
     } else if (!note.empty()) {
       block.notes.push_back(fmt::format("{}, {}: {}: {}", claim.study, row->cells, claim.text, note));
@@ -90,7 +90,7 @@ TableBlock absent_block(const std::vector<const ClaimRow*>& rows) {
   return block;
 }
 
-std::vector<TableBlock> make_blocks(const ClaimSet& set, const std::vector<ClaimRow>& rows, Layout layout) {
+std::vector<TableBlock> make_blocks(const ClaimSet& set, const std::vector<ClaimRow>& rows, Width width) {
   std::vector<Setting> settings;
   std::vector<const ClaimRow*> absent;
   for (const ClaimRow& row : rows) {
@@ -106,7 +106,7 @@ std::vector<TableBlock> make_blocks(const ClaimSet& set, const std::vector<Claim
     for (const ClaimRow& row : rows) {
       if (row.planned && row.setting == setting) own.push_back(&row);
     }
-    blocks.push_back(make_block(set, title_of(setting, own), own, layout));
+    blocks.push_back(make_block(set, title_of(setting, own), own, width));
   }
   if (!absent.empty()) blocks.push_back(absent_block(absent));
   return blocks;
@@ -134,11 +134,11 @@ std::string render_claims(const ClaimSet& set, const std::vector<ClaimRow>& rows
     case TableFormat::kCsv:
       return claims_csv(rows);
     case TableFormat::kMarkdown:
-      return table_markdown(make_blocks(set, rows, Layout::kWide), legend(set, recorded));
+      return table_markdown(make_blocks(set, rows, Width::kWide), legend(set, recorded));
     case TableFormat::kLatex:
-      return table_latex(make_blocks(set, rows, Layout::kNarrow), legend(set, recorded));
+      return table_latex(make_blocks(set, rows, Width::kNarrow), legend(set, recorded));
     default:
-      return table_text(make_blocks(set, rows, Layout::kNarrow), legend(set, recorded));
+      return table_text(make_blocks(set, rows, Width::kNarrow), legend(set, recorded));
   }
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kTolerance = 0.05;  // share by which every one of a few pairs must be worse
 
-using Cells = std::map<CellKey, const CellResult*>;
+using CellsByKey = std::map<CellKey, const CellResult*>;
 
 std::string regression_of(const ComparedRow& row, const std::vector<FigurePair>& pairs) {
   if (row.errors_b > row.errors_a) return "more cells could not be run";
@@ -47,19 +47,19 @@ ComparedRow compare_row(const CellKey& key, const std::vector<std::pair<const Ce
   return row;
 }
 
-Cells cells_of(const Run& run) {
-  Cells cells;
+CellsByKey cells_of(const Run& run) {
+  CellsByKey cells;
   for (const CellResult& cell : run.cells) cells[cell.key] = &cell;
   return cells;
 }
 
 // From SI to what readers get.
-struct Unit {
+struct ShownUnit {
   std::string name;
   double scale;
 };
 
-Unit unit_of(std::string_view metric) {
+ShownUnit unit_of(std::string_view metric) {
   if (metric.ends_with("_m")) return {"mm", 1e3};
   if (metric.ends_with("_Nm")) return {"N m", 1.0};
   if (metric.ends_with("_N")) return {"N", 1.0};
@@ -68,7 +68,7 @@ Unit unit_of(std::string_view metric) {
 }
 
 TableBlock block_of(const Comparison& comparison) {
-  const Unit unit = unit_of(comparison.metric);
+  const ShownUnit unit = unit_of(comparison.metric);
   TableBlock block{fmt::format("B - A, {}", comparison.metric),
                    {{"scenario", "", false},
                     {"observer", "", false},
@@ -101,7 +101,7 @@ bool Comparison::regression() const noexcept {
 }
 
 Comparison compare_runs(const Run& a, const Run& b, const MetricField& metric) {
-  const Cells cells_a = cells_of(a), cells_b = cells_of(b);
+  const CellsByKey cells_a = cells_of(a), cells_b = cells_of(b);
   std::map<CellKey, std::vector<std::pair<const CellResult*, const CellResult*>>> shared;
   for (const auto& [key, cell] : cells_a) {
     if (const auto other = cells_b.find(key); other != cells_b.end()) {

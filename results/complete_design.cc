@@ -17,9 +17,9 @@ struct Slice {
 };
 
 // Walks over the combinations of the levels, the last dimension fastest.
-class Place {
+class Combination {
  public:
-  explicit Place(const std::vector<int>& sizes) : sizes_(sizes), levels_(sizes.size(), 0) {}
+  explicit Combination(const std::vector<int>& sizes) : sizes_(sizes), levels_(sizes.size(), 0) {}
 
   const std::vector<std::size_t>& levels() const { return levels_; }
   bool in(const Kept& kept) const {
@@ -45,7 +45,7 @@ std::vector<Slice> slices_of(const PartialDesign& design, const Kept& kept) {
   for (std::size_t d = 0; d < kept.size(); ++d) {
     for (std::size_t level = 0; level < kept[d].size(); ++level) slices[d].push_back({d, level});
   }
-  Place place(design.levels);
+  Combination place(design.levels);
   for (const std::optional<double>& value : design.values) {
     if (place.in(kept)) {
       for (std::size_t d = 0; d < kept.size(); ++d) {
@@ -84,7 +84,7 @@ FactorialDesign complete_part(const PartialDesign& design) {
   for (const std::vector<bool>& levels : kept) {
     complete.levels.push_back(static_cast<int>(std::count(levels.begin(), levels.end(), true)));
   }
-  Place place(design.levels);
+  Combination place(design.levels);
   for (const std::optional<double>& value : design.values) {
     if (place.in(kept)) complete.values.push_back(value.value());
     place.next();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,11 +19,14 @@ struct FigureLook {
 
 enum class FigureMark { kLine, kPoints, kLinePoints, kFill };
 
+// Interrupts a line.
+inline constexpr double kFigureGap = std::numeric_limits<double>::quiet_NaN();
+
 struct FigureLine {
   std::string label;  // for the legend; "": not in it
   FigureLook look;
   FigureMark mark = FigureMark::kLine;
-  std::vector<double> x, y;        // equally long; a NaN interrupts the line
+  std::vector<double> x, y;        // equally long
   std::optional<double> ended_at;  // [x] where it ends before its time, with a fall: drawn as a cross and a dashed end
 };
 

@@ -12,7 +12,6 @@
 namespace dob {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kRowPart = 0.76;     // of a row's height that its observers share
 constexpr double kObserverPt = 5.0;   // [pt] height of an observer in a row, less where they are many
 constexpr double kLongestPt = 480.0;  // [pt] height of the panels, half a page and more
@@ -130,8 +129,8 @@ class ErrorsFigure {
       if (errors.empty()) continue;
       const double y = height_of(observer, row);
       const auto [low, high] = std::minmax_element(errors.begin(), errors.end());
-      whiskers.x.insert(whiskers.x.end(), {*low, *high, kNone});
-      whiskers.y.insert(whiskers.y.end(), {y, y, kNone});
+      whiskers.x.insert(whiskers.x.end(), {*low, *high, kFigureGap});
+      whiskers.y.insert(whiskers.y.end(), {y, y, kFigureGap});
       medians.x.push_back(median(errors));
       medians.y.push_back(y);
     }
@@ -157,8 +156,8 @@ class ErrorsFigure {
     rules.look = {.colour = "#D5DADF", .dash = {}, .point = 1, .width = 0.7};
     for (std::size_t row = 1; row < scenarios_.size(); ++row) {
       const double y = 0.5 - static_cast<double>(row);
-      rules.x.insert(rules.x.end(), {panel.x_range[0], panel.x_range[1], kNone});
-      rules.y.insert(rules.y.end(), {y, y, kNone});
+      rules.x.insert(rules.x.end(), {panel.x_range[0], panel.x_range[1], kFigureGap});
+      rules.y.insert(rules.y.end(), {y, y, kFigureGap});
     }
     panel.lines.insert(panel.lines.begin(), std::move(rules));
   }

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -9,14 +8,13 @@
 namespace dob {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kMargin = 0.04;   // of the axis, on either side
-constexpr double kSpread = 0.26;   // of the smallest step between levels: curves stand side by side in it
-constexpr double kLanePt = 9.0;    // [pt] height of an observer among the thresholds
-constexpr double kHalfLane = 0.2;  // the thresholds of 50 % stand above the middle of their lane, those of 5 % below
-constexpr double kHalfBar = 0.16;  // height of the bars of 50 %
-constexpr double kWhisker = 0.6;   // width of a line
-constexpr std::size_t kMostNames = 7;  // of levels along a logarithmic axis
+constexpr double kAxisMargin = 0.04;  // of the axis, on either side
+constexpr double kSpread = 0.26;      // of the smallest step between levels: curves stand side by side in it
+constexpr double kLanePt = 9.0;       // [pt] height of an observer among the thresholds
+constexpr double kHalfLane = 0.2;     // the thresholds of 50 % stand above the middle of their lane, those of 5 % below
+constexpr double kHalfBar = 0.16;     // height of the bars of 50 %
+constexpr double kWhisker = 0.6;      // width of a line
+constexpr std::size_t kMostLogNames = 7;  // of levels along a logarithmic axis
 
 class FallCurves {
  public:
@@ -28,8 +26,8 @@ class FallCurves {
       const double step = on_scale(axis_.levels[i]) - on_scale(axis_.levels[i - 1]);
       if (std::abs(step) < std::abs(step_)) step_ = step;
     }
-    from_ = first - kMargin * (last - first);
-    to_ = last + kMargin * (last - first);
+    from_ = first - kAxisMargin * (last - first);
+    to_ = last + kAxisMargin * (last - first);
   }
 
   Figure build(const Campaign& campaign) const {
@@ -57,7 +55,7 @@ class FallCurves {
 
   // Less than a power of ten would have one number, or none.
   std::vector<FigureTick> level_ticks() const {
-    const std::size_t every = (axis_.levels.size() + kMostNames - 1) / kMostNames;
+    const std::size_t every = (axis_.levels.size() + kMostLogNames - 1) / kMostLogNames;
     std::vector<FigureTick> ticks;
     for (std::size_t i = 0; i < axis_.levels.size(); i += every) {
       ticks.push_back({axis_.levels[i], fmt::format("{:.3g}", axis_.levels[i])});
@@ -94,8 +92,8 @@ class FallCurves {
       points.x.push_back(x);
       points.y.push_back(*y);
       if (const std::optional<Interval> interval = ends(level)) {
-        uprights.x.insert(uprights.x.end(), {x, x, kNone});
-        uprights.y.insert(uprights.y.end(), {interval->low, interval->high, kNone});
+        uprights.x.insert(uprights.x.end(), {x, x, kFigureGap});
+        uprights.y.insert(uprights.y.end(), {interval->low, interval->high, kFigureGap});
       }
     }
     panel.lines.push_back(std::move(uprights));

@@ -1,18 +1,15 @@
 #include "results/figure_lines.h"
 
 #include <cmath>
-#include <limits>
 
 #include "results/extremes.h"
 
 namespace dob {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 using Columns = std::vector<const std::vector<float>*>;
 
-Columns columns_of(const Trace& trace, const std::vector<std::string>& names, const std::string& leg) {
+Columns traced_columns(const Trace& trace, const std::vector<std::string>& names, const std::string& leg) {
   Columns columns;
   for (const std::string& name : names) columns.push_back(&trace.column(with_leg(name, leg)));
   return columns;
@@ -31,8 +28,8 @@ double combined(const Columns& signals, const Columns& minus, std::size_t row) {
 
 FigureSeries combine(const Trace& trace, const std::vector<std::string>& signals, const std::vector<std::string>& minus,
                      const FigureQuantity& quantity, const std::string& leg) {
-  const Columns plus = columns_of(trace, signals, leg);
-  const Columns less = columns_of(trace, minus, leg);
+  const Columns plus = traced_columns(trace, signals, leg);
+  const Columns less = traced_columns(trace, minus, leg);
   const std::vector<float>* gate =
       quantity.while_signal.empty() ? nullptr : &trace.column(with_leg(quantity.while_signal, leg));
   const std::vector<float>& t = trace.column("t_s");
@@ -40,7 +37,7 @@ FigureSeries combine(const Trace& trace, const std::vector<std::string>& signals
   series.t.assign(t.begin(), t.end());
   for (std::size_t row = 0; row < t.size(); ++row) {
     const bool shown = gate == nullptr || (*gate)[row] != 0.0F;
-    series.value.push_back(shown ? quantity.scale * combined(plus, less, row) : kNone);
+    series.value.push_back(shown ? quantity.scale * combined(plus, less, row) : kFigureGap);
   }
   return series;
 }

@@ -19,7 +19,7 @@ using Point = std::array<double, 2>;
 
 constexpr int kRound = 32;                                                           // corners of what is round
 constexpr double kArrow = 0.1, kArrowOfW = 0.2;                                      // [m] axes of frames
-constexpr double kMargin = 0.06;                                                     // [m] around the robot
+constexpr double kMarginM = 0.06;                                                    // [m] around the robot
 constexpr std::array<const char*, 3> kAxisColours{"#D55E00", "#009E73", "#0072B2"};  // x, y, z
 
 Point projected(const Vec3& p, int view) {
@@ -159,8 +159,8 @@ class RobotDrawing {
         panel.y_range = {std::min(panel.y_range[0], line.y[i]), std::max(panel.y_range[1], line.y[i])};
       }
     }
-    panel.x_range = {panel.x_range[0] - kMargin, panel.x_range[1] + kMargin};
-    panel.y_range = {panel.y_range[0] - kMargin, panel.y_range[1] + kMargin};
+    panel.x_range = {panel.x_range[0] - kMarginM, panel.x_range[1] + kMarginM};
+    panel.y_range = {panel.y_range[0] - kMarginM, panel.y_range[1] + kMarginM};
     if (view == 1) panel.y_range[0] = -0.03;
   }
 

@@ -10,7 +10,7 @@
 namespace dob {
 namespace {
 
-constexpr std::array<Choice<FigureKind>, 5> kKinds{{
+constexpr std::array<Choice<FigureKind>, 5> kFigureKinds{{
     {"time", FigureKind::kTime},
     {"errors", FigureKind::kErrors},
     {"survival", FigureKind::kSurvival},
@@ -83,7 +83,7 @@ FigureSpec read_figure(Reader& reader, const FigureSet& set) {
   figure.paper = text_or(reader, "paper", "");
   figure.caption = reader.text("caption");
   figure.note = text_or(reader, "note", "");
-  figure.kind = reader.choice("kind", kKinds, std::optional(FigureKind::kTime));
+  figure.kind = reader.choice("kind", kFigureKinds, std::optional(FigureKind::kTime));
   figure.cells = texts_or_none(reader, "cells");
   figure.observers = texts_or_none(reader, "observers");
   figure.leave_out = texts_or_none(reader, "leave_out");

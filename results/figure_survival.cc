@@ -14,10 +14,10 @@ namespace {
 
 constexpr const char* kAmplitude = "amplitude_N";
 
-struct Count {
+struct SurvivalCount {
   int runs = 0, survived = 0;
 };
-using Curves = std::map<std::string, std::map<double, Count>>;  // by observer, by amplitude [N]
+using Curves = std::map<std::string, std::map<double, SurvivalCount>>;  // by observer, by amplitude [N]
 
 // Of the first disturbance in a resolved scenario; nullopt if it has none.
 std::optional<double> amplitude_in(const std::filesystem::path& scenario) {
@@ -68,7 +68,7 @@ std::map<std::string, Curves> curves_of(const FigureSpec& spec, const FigureCell
     }
     if (!known->second) continue;
     const std::string others = other_overrides(key.overrides);
-    Count& count = all[key.scenario + (others.empty() ? "" : ", " + others)][key.observer][*known->second];
+    SurvivalCount& count = all[key.scenario + (others.empty() ? "" : ", " + others)][key.observer][*known->second];
     ++count.runs;
     count.survived += cell.outcome == Outcome::kSurvived ? 1 : 0;
   }

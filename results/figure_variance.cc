@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -9,8 +8,7 @@
 namespace dob {
 namespace {
 
-constexpr double kBarPt = 10.0, kHalfBar = 0.32;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kBarPt = 10.0, kHalfShare = 0.32;
 constexpr const char* kBar = "#8FC0E2";
 constexpr const char* kResidual = "#D5DADF";
 
@@ -20,7 +18,7 @@ FigureLine bar(const VarianceShare& share, double y) {
   line.mark = FigureMark::kFill;
   const double x = 100.0 * share.share;
   line.x = {0.0, x, x, 0.0, 0.0};
-  line.y = {y - kHalfBar, y - kHalfBar, y + kHalfBar, y + kHalfBar, y - kHalfBar};
+  line.y = {y - kHalfShare, y - kHalfShare, y + kHalfShare, y + kHalfShare, y - kHalfShare};
   return line;
 }
 
@@ -40,8 +38,8 @@ FigurePanel panel_of(const FactorialResult& result) {
     panel.lines.push_back(bar(share, y));
     highest = std::max(highest, 100.0 * share.share);
     if (!share.interval) continue;
-    intervals.x.insert(intervals.x.end(), {100.0 * share.interval->low, 100.0 * share.interval->high, kNone});
-    intervals.y.insert(intervals.y.end(), {y, y, kNone});
+    intervals.x.insert(intervals.x.end(), {100.0 * share.interval->low, 100.0 * share.interval->high, kFigureGap});
+    intervals.y.insert(intervals.y.end(), {y, y, kFigureGap});
     highest = std::max(highest, 100.0 * share.interval->high);
   }
   panel.lines.push_back(std::move(intervals));

@@ -17,16 +17,16 @@ namespace {
 constexpr std::size_t kMostReasons = 20;
 
 // Seven digits are more than any of it is good for.
-Json rounded(double x) {
+Json rounded_json(double x) {
   return std::stod(fmt::format("{:.7g}", x));
 }
 
-Json rounded(const std::optional<double>& x) {
-  return x ? rounded(*x) : Json();
+Json rounded_json(const std::optional<double>& x) {
+  return x ? rounded_json(*x) : Json();
 }
 
 Json interval_json(const std::optional<Interval>& interval) {
-  return interval ? Json{rounded(interval->low), rounded(interval->high)} : Json();
+  return interval ? Json{rounded_json(interval->low), rounded_json(interval->high)} : Json();
 }
 
 Json axis_json(const CampaignAxis& axis) {
@@ -40,15 +40,15 @@ Json level_json(const LevelResult& level) {
           {"falls", level.falls},
           {"errors", level.errors},
           {"falls_ci95", interval_json(level.falls_ci)},
-          {"com_error_m", rounded(level.com_error_m)},
+          {"com_error_m", rounded_json(level.com_error_m)},
           {"com_error_ci95", interval_json(level.com_error_ci)},
-          {"foot_error_m", rounded(level.foot_error_m)},
+          {"foot_error_m", rounded_json(level.foot_error_m)},
           {"foot_error_ci95", interval_json(level.foot_error_ci)}};
 }
 
 Json threshold_json(const std::optional<FallThreshold>& threshold) {
   if (!threshold) return {};
-  return {{"estimate", rounded(threshold->estimate)},
+  return {{"estimate", rounded_json(threshold->estimate)},
           {"ci95", interval_json(threshold->interval)},
           {"below", threshold->below},
           {"above", threshold->above}};
@@ -83,7 +83,7 @@ Json curve_json(const CurveResult& result, const ReportIndex& index) {
 Json share_json(const VarianceShare& share) {
   return {{"factor", share.factor},
           {"levels", share.levels},
-          {"share", rounded(share.share)},
+          {"share", rounded_json(share.share)},
           {"ci95", interval_json(share.interval)}};
 }
 

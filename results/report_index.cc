@@ -9,11 +9,11 @@ namespace {
 
 using Name = std::vector<std::string>;
 
-Name scenario_name(const CellKey& cell) {
+Name named_scenario(const CellKey& cell) {
   return {cell.scenario, cell.variant};
 }
 
-Name observer_name(const CellKey& cell) {
+Name named_observer(const CellKey& cell) {
   return {cell.observer, cell.profile};
 }
 
@@ -36,19 +36,19 @@ void ReportIndex::Part::add(const std::vector<std::string>& name, const CellKey&
 
 ReportIndex::ReportIndex(const CellKeys& cells) {
   for (const CellKey& cell : cells) {
-    scenarios_.add(scenario_name(cell), cell);
-    observers_.add(observer_name(cell), cell);
+    scenarios_.add(named_scenario(cell), cell);
+    observers_.add(named_observer(cell), cell);
     settings_.add(setting_name(cell), cell);
   }
   for (const CellKey& cell : observers_.first) observer_ids_.push_back(unique_id(cell, observer_ids_));
 }
 
 std::size_t ReportIndex::scenario(const CellKey& cell) const {
-  return scenarios_.places.at(scenario_name(cell));
+  return scenarios_.places.at(named_scenario(cell));
 }
 
 std::size_t ReportIndex::observer(const CellKey& cell) const {
-  return observers_.places.at(observer_name(cell));
+  return observers_.places.at(named_observer(cell));
 }
 
 std::size_t ReportIndex::setting(const CellKey& cell) const {

@@ -18,7 +18,7 @@ namespace {
 constexpr double kReplayRate = 25.0;       // [Hz]
 constexpr double kFastest = 1e6;           // [Hz] that anything is recorded with
 constexpr std::size_t kMostBuckets = 500;  // of a plot: two points each, about one for a pixel
-constexpr int kCompression = 9;
+constexpr int kPageCompression = 9;
 
 using Names = std::vector<std::string>;
 
@@ -186,7 +186,7 @@ TracePayload encode_trace(const Trace& trace) {
   }
   description["disturbed"] = intervals(trace, "disturbance_active", true);
   description["end_s"] = static_cast<double>(trace.rows() - 1) / trace.rate_Hz;
-  return {std::move(description), base64(zlib_stream(bytes, kCompression))};
+  return {std::move(description), base64(zlib_stream(bytes, kPageCompression))};
 }
 
 }  // namespace dob

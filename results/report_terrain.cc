@@ -39,20 +39,20 @@ std::map<std::size_t, std::string> files_of(const RunInfo& info, const ReportInd
 }
 
 // To a tenth of a millimetre, which keeps the page small.
-double rounded(double x) {
+double to_tenth_mm(double x) {
   return std::round(1e4 * x) / 1e4;
 }
 
-Json vector_json(const Vec3& v) {
-  return {rounded(v.x()), rounded(v.y()), rounded(v.z())};
+Json rounded_vector(const Vec3& v) {
+  return {to_tenth_mm(v.x()), to_tenth_mm(v.y()), to_tenth_mm(v.z())};
 }
 
 Json boxes_json(const Terrain& terrain) {
   Json boxes = Json::array();
   for (const TerrainBox& box : terrain.boxes) {
-    boxes.push_back({{"center", vector_json(box.center)},
-                     {"size", vector_json(box.size)},
-                     {"yaw", rounded(box.yaw_rad)},
+    boxes.push_back({{"center", rounded_vector(box.center)},
+                     {"size", rounded_vector(box.size)},
+                     {"yaw", to_tenth_mm(box.yaw_rad)},
                      {"friction", box.friction}});
   }
   return boxes;

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Cells = std::vector<const CellResult*>;
+using TracedCells = std::vector<const CellResult*>;
 
 // The place of a name in the order in which names are asked for, from 0.
 template <typename Name>
@@ -72,8 +72,8 @@ class Wanted {
 };
 
 // "traces of case1/knee, seed 1: none, momentum@tuned", one for each scenario, setting and seed.
-Json left_out_json(const Cells& cells, const ReportIndex& index, const std::string& limit) {
-  std::map<std::tuple<std::size_t, std::size_t, int>, Cells> groups;
+Json left_out_json(const TracedCells& cells, const ReportIndex& index, const std::string& limit) {
+  std::map<std::tuple<std::size_t, std::size_t, int>, TracedCells> groups;
   for (const CellResult* cell : cells) {
     groups[{index.scenario(cell->key), index.setting(cell->key), cell->key.seed}].push_back(cell);
   }
@@ -137,7 +137,7 @@ std::string within(const fs::path& dir, std::string message) {
   return without_directories(message);
 }
 
-void note_scenarios_without(const Run& run, const Cells& with_trace, const ReportIndex& index,
+void note_scenarios_without(const Run& run, const TracedCells& with_trace, const ReportIndex& index,
                             std::vector<std::string>& missing) {
   std::set<std::size_t> finished, kept;
   for (const CellResult& cell : run.cells) {
@@ -173,7 +173,7 @@ Json description_json(const CellResult& cell, const ReportIndex& index, std::siz
 }  // namespace
 
 std::vector<const CellResult*> traces_in_order(const Run& run, const ReportIndex& index) {
-  Cells cells;
+  TracedCells cells;
   for (const CellResult& cell : run.cells) {
     if (!cell.trace.empty()) cells.push_back(&cell);
   }
@@ -187,7 +187,7 @@ std::vector<const CellResult*> traces_in_order(const Run& run, const ReportIndex
 ReportTraces take_traces(const fs::path& dir, const Run& run, const ReportIndex& index, std::size_t room,
                          const std::string& limit) {
   ReportTraces out;
-  const Cells all = traces_in_order(run, index);
+  const TracedCells all = traces_in_order(run, index);
   note_scenarios_without(run, all, index, out.missing);
   const std::map<CellKey, std::size_t> places = places_of(run.info.cells);
   Lacks lacks;

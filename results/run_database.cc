@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 constexpr int kApplicationId = 0x646F6262;  // "dobb"
 constexpr int kBusyTimeout = 60'000;        // [ms] to wait for another process' transaction
 
-constexpr const char* kTables = R"(
+constexpr const char* kCreateTables = R"(
 CREATE TABLE batch(id INTEGER PRIMARY KEY, date TEXT, command_line TEXT, version TEXT, commit_id TEXT, build TEXT,
                    compiler TEXT, flags TEXT, cpu TEXT, cores INTEGER, os TEXT, model_path TEXT, libraries TEXT,
                    cpu_flags TEXT);
@@ -65,7 +65,7 @@ SQLite::Database create_database(const fs::path& file) {
   SQLite::Database database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyTimeout);
   SQLite::Transaction transaction(database);
   database.exec(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {};", kApplicationId, kStoreVersion));
-  database.exec(kTables);
+  database.exec(kCreateTables);
   database.exec(kShardTables);
   database.exec(create_table("result", result_columns(), "cell"));
   database.exec(

@@ -56,9 +56,9 @@ RunInfo batch_of(const SQLite::Statement& row) {
 }
 
 // Names to ids, adding a row for a new name.
-class Names {
+class NameIds {
  public:
-  Names(SQLite::Database& database, std::string_view table, const std::vector<std::string>& columns)
+  NameIds(SQLite::Database& database, std::string_view table, const std::vector<std::string>& columns)
       : database_(database), insert_(database, insert_into(table, columns)) {}
 
   long id_of(const std::string& name, const std::vector<std::string>& more = {}) {
@@ -146,9 +146,9 @@ void require_printable(const std::string& name) {
 
 void write_plan(SQLite::Database& database, const RunInfo& info, const std::vector<ResolvedScenario>& scenarios) {
   add_batch(database, info);
-  Names scenario_ids(database, "scenario", {"file", "hash"});
+  NameIds scenario_ids(database, "scenario", {"file", "hash"});
   for (const ResolvedScenario& scenario : scenarios) scenario_ids.id_of(scenario.name, {fingerprint(scenario.toml)});
-  Names observer_ids(database, "observer", {"options"});
+  NameIds observer_ids(database, "observer", {"options"});
   std::vector<std::string> columns = kKeyColumns;
   columns.insert(columns.begin(), "id");
   const bool sourced = !info.sources.empty();

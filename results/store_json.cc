@@ -57,12 +57,16 @@ CellMetrics metrics_from_json(const Json& json) {
   return metrics;
 }
 
-Outcome outcome_from(std::size_t number) {
+Outcome numbered_outcome(std::size_t number) {
   if (number < kOutcomes.size()) return static_cast<Outcome>(number);
   throw std::out_of_range(fmt::format("outcome {}", number));
 }
 
 }  // namespace
+
+Json axis_to_json(const CampaignAxis& axis) {
+  return {{"name", axis.name}, {"unit", axis.unit}, {"levels", axis.levels}, {"logarithmic", axis.logarithmic}};
+}
 
 std::string one_line(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -94,7 +98,7 @@ CellResult cell_from_line(const std::string& line) {
     const Json json = Json::parse(line);
     CellResult cell;
     cell.key = key_from_json(json.at("key"));
-    cell.outcome = outcome_from(json.at("outcome").get<std::size_t>());
+    cell.outcome = numbered_outcome(json.at("outcome").get<std::size_t>());
     json.at("reason").get_to(cell.reason);
     json.at("simulated_s").get_to(cell.simulated_s);
     json.at("wall_s").get_to(cell.wall_s);

@@ -14,4 +14,7 @@ using Json = nlohmann::ordered_json;
 // On one line; bytes that are not UTF-8 are replaced.
 std::string one_line(const Json& json);
 
+// An axis of a campaign, as the database and the table's data have it.
+Json axis_to_json(const CampaignAxis& axis);
+
 }  // namespace dob

@@ -64,9 +64,9 @@ void note_missing_shards(const std::vector<RunShard>& shards, std::vector<std::s
 }
 
 // Reads the tables of one run.
-class Reader {
+class RunReader {
  public:
-  explicit Reader(SQLite::Database& database) : database_(database) {}
+  explicit RunReader(SQLite::Database& database) : database_(database) {}
 
   Run read() {
     const SQLite::Transaction one_state_of_it(database_);
@@ -228,7 +228,7 @@ class Reader {
 Run read_run(const fs::path& dir) {
   SQLite::Database database = open_database(dir);
   try {
-    return Reader(database).read();
+    return RunReader(database).read();
   } catch (const std::exception& error) {  // SQLite's, or a value that is not what it should be
     throw StoreError(fmt::format("{}: {}", (dir / kDatabaseFile).string(), error.what()));
   }

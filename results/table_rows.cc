@@ -85,7 +85,7 @@ TableRow make_row(const CellKey& key, int seeds, std::vector<const CellResult*> 
   return row;
 }
 
-TimingSummary summarise(const std::vector<const CellTiming*>& timings) {
+TimingSummary summarise_timings(const std::vector<const CellTiming*>& timings) {
   const auto values = [&](double CellTiming::*field) {
     std::vector<double> samples;
     for (const CellTiming* timing : timings) samples.push_back(timing->*field);
@@ -124,7 +124,7 @@ std::vector<TableRow> build_rows(const Run& run, TableOrder order) {
   rows.reserve(seeds.size());
   for (const auto& [key, number] : seeds) {
     rows.push_back(make_row(key, number, cells[key]));
-    if (timings.contains(key)) rows.back().timing = summarise(timings[key]);
+    if (timings.contains(key)) rows.back().timing = summarise_timings(timings[key]);
   }
   rank_rows(rows);
   const Places places(run.info.cells.rows(), order == TableOrder::kByObserver ? kObserverFirst : kScenarioFirst);

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view kMagic = "dobtrace";
 constexpr std::uint32_t kVersion = 1;
 constexpr std::size_t kPrefix = kMagic.size() + 8;
-constexpr int kCompression = 6;
+constexpr int kTraceCompression = 6;
 
 void append(std::string& bytes, std::uint32_t number) {
   for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(number >> shift & 0xFFU);
@@ -106,7 +106,7 @@ void write_trace(const fs::path& file, const Trace& trace) {
   std::string bytes(kMagic);
   append(bytes, kVersion);
   append(bytes, static_cast<std::uint32_t>(text.size()));
-  bytes += text + zlib_stream(sorted_bytes(trace.columns), kCompression);
+  bytes += text + zlib_stream(sorted_bytes(trace.columns), kTraceCompression);
   write_whole_file(file, bytes);
 }
 

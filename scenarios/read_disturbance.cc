@@ -15,7 +15,6 @@ namespace {
 using Kind = ForceProfile::Kind;
 using Frame = Disturbance::Frame;
 
-constexpr double kLongest = 1e5;                  // [s]
 constexpr Range kForce = between(-1e5, 1e5);      // [N]
 constexpr Range kOnLink = between(-10.0, 10.0);   // [m] from the link's origin
 constexpr Range kPhase = between(-100.0, 100.0);  // [rad]
@@ -23,12 +22,12 @@ constexpr Range kPhase = between(-100.0, 100.0);  // [rad]
 constexpr double kShortestHold = 0.05;  // [s] of a draw: what changes faster is noise
 
 enum class Word { kConstant, kPulse, kSine, kRamp, kChirp, kRandom };
-constexpr std::array<Choice<Word>, 6> kProfiles{{{"constant", Word::kConstant},
-                                                 {"pulse", Word::kPulse},
-                                                 {"sine", Word::kSine},
-                                                 {"ramp", Word::kRamp},
-                                                 {"chirp", Word::kChirp},
-                                                 {"random", Word::kRandom}}};
+constexpr std::array<Choice<Word>, 6> kForceProfiles{{{"constant", Word::kConstant},
+                                                      {"pulse", Word::kPulse},
+                                                      {"sine", Word::kSine},
+                                                      {"ramp", Word::kRamp},
+                                                      {"chirp", Word::kChirp},
+                                                      {"random", Word::kRandom}}};
 constexpr std::array<Choice<bool>, 2> kTriggers{{{"time", false}, {"gait_phase", true}}};  // is it the gait?
 constexpr std::array<Choice<Leg>, kLegs> kLegWords{
     {{"LF", Leg::kLF}, {"RF", Leg::kRF}, {"LH", Leg::kLH}, {"RH", Leg::kRH}}};
@@ -41,12 +40,12 @@ constexpr std::array<Choice<Frame>, 2> kFrames{{{"world", Frame::kWorld}, {"base
 constexpr std::array<Choice<bool>, 2> kPoints{{{"origin", false}, {"foot", true}}};  // is it the foot?
 
 double read_start(Reader& r, const char* key = "start_s") {
-  return r.number(key, between(0.0, kLongest), 0.0);
+  return r.number(key, between(0.0, kLongestTime), 0.0);
 }
 
 void read_ramp(Reader& r, ForceProfile& p) {
   p.kind = Kind::kRamp;
-  p.ramp_s = r.number("ramp_s", above(0.0, kLongest));
+  p.ramp_s = r.number("ramp_s", above(0.0, kLongestTime));
   if (r.has("ramp_s") && p.ramp_s > p.duration_s)
     r.refuse("ramp_s", fmt::format("at most duration_s, {}", p.duration_s));
 }
@@ -65,12 +64,12 @@ ForceProfile read_profile(Reader& r, Word word, double dt) {
   p.amplitude_N = r.number("amplitude_N", kForce);
   const bool must_end = word == Word::kPulse || word == Word::kChirp;
   const auto endless = must_end ? std::nullopt : std::optional(p.duration_s);
-  p.duration_s = r.number("duration_s", above(0.0, kLongest), endless);
+  p.duration_s = r.number("duration_s", above(0.0, kLongestTime), endless);
   if (word == Word::kRamp) read_ramp(r, p);
   if (word == Word::kChirp) read_chirp(r, p, dt);
   if (word == Word::kSine) {
     p.kind = Kind::kSine;
-    p.period_s = r.number("period_s", between(2.0 * dt, kLongest));
+    p.period_s = r.number("period_s", between(2.0 * dt, kLongestTime));
     p.phase_rad = r.number("phase_rad", kPhase, 0.0);
   }
   return p;
@@ -136,9 +135,9 @@ RandomPush read_random(Reader& r) {
   RandomPush push;
   push.min_N = r.number("min_N", between(0.0, kForce.max));
   push.max_N = r.number("max_N", between(push.min_N, kForce.max));
-  push.hold_s = r.number("hold_s", between(kShortestHold, kLongest));
+  push.hold_s = r.number("hold_s", between(kShortestHold, kLongestTime));
   push.start_s = read_start(r);
-  push.duration_s = r.number("duration_s", above(0.0, kLongest), push.duration_s);
+  push.duration_s = r.number("duration_s", above(0.0, kLongestTime), push.duration_s);
   push.legs = read_legs(r);
   return push;
 }
@@ -146,7 +145,7 @@ RandomPush read_random(Reader& r) {
 }  // namespace
 
 void read_disturbance(Reader& r, const RobotDescription& robot, Scenario& scenario) {
-  const Word word = r.choice("profile", kProfiles);
+  const Word word = r.choice("profile", kForceProfiles);
   if (word == Word::kRandom) {
     scenario.random_pushes.push_back(read_random(r));
   } else {

@@ -5,7 +5,6 @@
 namespace dob {
 namespace {
 
-constexpr double kLongest = 1e5;                  // [s]
 constexpr Range kMass = above(0.0, 1e3);          // [kg]
 constexpr Range kOnTrunk = between(-10.0, 10.0);  // [m]
 constexpr Range kScale = above(0.0, 10.0);        // [-]
@@ -29,7 +28,7 @@ void read_imperfections(Reader& r, Scenario& s) {
     s.sensing.delay_ticks = t.integer("delay_ticks", 0, kMaxDelayTicks);
   });
   r.each("payload", [&](Reader& t) {
-    s.payloads.push_back({.start_s = t.number("at_s", between(0.0, kLongest)),
+    s.payloads.push_back({.start_s = t.number("at_s", between(0.0, kLongestTime)),
                           .mass = t.number("mass_kg", kMass),
                           .p_B = t.vector("point_m", kOnTrunk)});
   });

@@ -10,7 +10,6 @@
 namespace dob {
 namespace {
 
-constexpr Range kFriction = between(0.0, 10.0);                                     // [-]
 constexpr Range kPlace = between(-1e4, 1e4);                                        // [m] in W
 constexpr Range kEdge = above(0.0, 1e4);                                            // [m]
 constexpr Range kBlockHeight = above(0.0, 1.0);                                     // [m]

@@ -30,6 +30,10 @@ constexpr Range below(double min, double max) {
   return {.min = min, .max = max, .without_max = true};
 }
 
+// What keys in several files may be: enough for any legged robot, too little for a wrong unit.
+inline constexpr double kLongestTime = 1e5;             // [s]
+inline constexpr Range kFriction = between(0.0, 10.0);  // [-]
+
 // One of the words that a key may have, and what it means.
 template <typename T>
 struct Choice {

@@ -16,11 +16,9 @@ namespace dob {
 namespace {
 
 // Ranges that several keys share: wide enough for any legged robot, narrow enough for a wrong unit to fall out.
-constexpr double kLongest = 1e5;                 // [s]
-constexpr double kMostTicks = 1e8;               // of a trial
-constexpr Range kDuration = above(0.0, 10.0);    // [s] of parts of a footstep
-constexpr Range kFriction = between(0.0, 10.0);  // [-]
-constexpr Range kSoftness = between(0.0, 1.0);   // [-] or [1/kg]
+constexpr double kMostTicks = 1e8;              // of a trial
+constexpr Range kDuration = above(0.0, 10.0);   // [s] of parts of a footstep
+constexpr Range kSoftness = between(0.0, 1.0);  // [-] or [1/kg]
 constexpr Range kGain = between(0.0, 1e6);
 constexpr Range kWeight = above(0.0, 1e16);
 constexpr Range kLength = above(0.0, 10.0);  // [m]
@@ -83,7 +81,7 @@ double length_of(const std::vector<PathSegment>& path) {
 std::vector<PathSegment> read_path(Reader& r, double longest) {
   std::vector<PathSegment> path;
   r.each("path", [&](Reader& t) {
-    path.push_back({.duration = t.number("duration_s", above(0.0, kLongest)),
+    path.push_back({.duration = t.number("duration_s", above(0.0, kLongestTime)),
                     .speed = t.number("speed_m_s", between(-10.0, 10.0)),
                     .yaw_rate = t.number("yaw_rate_rad_s", between(-10.0, 10.0), 0.0)});
   });
@@ -106,7 +104,7 @@ GaitOptions read_gait(Reader& r) {
     gait.touchdown_force = t.number("touchdown_force_N", above(0.0, 1e4));
     gait.late_wait = t.number("late_wait_s", between(0.0, 10.0));
     t.each("switch", [&](Reader& s) {
-      const double time = s.number("at_s", between(0.0, kLongest));
+      const double time = s.number("at_s", between(0.0, kLongestTime));
       gait.switches.push_back({time, read_pattern(s)});
     });
   });
@@ -222,7 +220,7 @@ void read_trial(Reader& r, Scenario& s) {
     s.seed_variation.gait_phase = t.number("gait_phase", between(0.0, 1.0));
     s.seed_variation.position = t.number("position_m", between(0.0, 1.0));
     s.seed_variation.velocity = t.number("velocity_m_s", between(0.0, 10.0));
-    s.seed_variation.disturbance_onset = t.number("disturbance_onset_s", between(0.0, kLongest));
+    s.seed_variation.disturbance_onset = t.number("disturbance_onset_s", between(0.0, kLongestTime));
   });
   const int leg = r.choice("metric_leg", kMetricLegs);
   if (leg >= 0) s.metric_leg = static_cast<Leg>(leg);
@@ -236,7 +234,7 @@ Scenario read_scenario(const Node& document) {
     s.summary = r.text("summary");
     const RobotDescription robot = read_robot(r, s.robot);
     s.sim = read_sim(r);
-    const double longest = std::min(kLongest, std::round(kMostTicks * s.sim.dt));  // [s]
+    const double longest = std::min(kLongestTime, std::round(kMostTicks * s.sim.dt));  // [s]
     s.path = read_path(r, longest);
     s.duration = r.number("duration_s", above(0.0, longest), length_of(s.path));
     s.gait = read_gait(r);

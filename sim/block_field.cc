@@ -1,22 +1,17 @@
 #include "sim/block_field.h"
 
 #include <cmath>
-#include <stdexcept>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "sim/random_stream.h"
+#include "sim/require.h"
 
 namespace dob {
 namespace {
 
-constexpr std::uint32_t kStream = 0xb10cu;
-
-void require(bool allowed, std::string_view field, double value, std::string_view expected) {
-  if (!allowed) throw std::invalid_argument(fmt::format("block field: {} = {}, must be {}", field, value, expected));
-}
+constexpr std::uint32_t kFieldStream = 0xb10cu;
 
 // Whole tiles within a length, of which rounding does not cost one.
 double whole_tiles(double length, double tile) noexcept {
@@ -34,7 +29,7 @@ std::vector<std::size_t> regular_pattern(std::size_t columns, std::size_t rows, 
 
 // Fisher and Yates.
 void shuffle(std::vector<std::size_t>& pattern, std::uint64_t seed) {
-  std::mt19937_64 random = random_stream(seed, kStream);
+  std::mt19937_64 random = random_stream(seed, kFieldStream);
   for (std::size_t i = pattern.size(); i > 1; --i) {
     const auto other = static_cast<std::size_t>(uniform(random) * static_cast<double>(i));
     std::swap(pattern[i - 1], pattern[other]);
@@ -52,16 +47,17 @@ double BlockField::rows() const noexcept {
 }
 
 void BlockField::validate() const {
-  require(std::isfinite(start), "start", start, "finite");
-  require(std::isfinite(tile_x) && tile_x > 0.0, "tile_x", tile_x, "finite and > 0");
-  require(std::isfinite(tile_y) && tile_y > 0.0, "tile_y", tile_y, "finite and > 0");
+  const Require require{"block field"};
+  require.finite("start", start);
+  require.positive("tile_x", tile_x);
+  require.positive("tile_y", tile_y);
   require(std::isfinite(end) && columns() >= 1.0, "end", end, "finite and at least a tile past start");
   require(std::isfinite(width) && rows() >= 1.0, "width", width, "finite and at least that of a tile");
   require(columns() * rows() <= kMaxBlocks, "number of blocks", columns() * rows(), fmt::format("<= {}", kMaxBlocks));
   require(!kinds.empty(), "number of kinds", 0.0, "at least 1");
   for (const Kind& kind : kinds) {
-    require(std::isfinite(kind.height) && kind.height > 0.0, "height", kind.height, "finite and > 0");
-    require(std::isfinite(kind.friction) && kind.friction >= 0.0, "friction", kind.friction, "finite and >= 0");
+    require.positive("height", kind.height);
+    require.not_negative("friction", kind.friction);
   }
 }
 

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
-#include <string_view>
 
-#include <fmt/format.h>
+#include "sim/require.h"
 
 namespace dob {
 namespace {
@@ -14,29 +12,20 @@ namespace {
 constexpr double kTimeSlack = 1e-9;      // [s]
 constexpr double kUnitTolerance = 1e-9;  // on the norm of the direction
 
-void require(bool allowed, std::string_view field, double value, std::string_view expected) {
-  if (!allowed) {
-    throw std::invalid_argument(fmt::format("disturbance: {} = {}, must be {}", field, value, expected));
-  }
-}
-
 void require_valid(const ForceProfile& p) {
   using Kind = ForceProfile::Kind;
-  const auto require_frequency = [](std::string_view field, double value) {
-    require(std::isfinite(value) && value >= 0.0, field, value, "finite and >= 0");
-  };
-  require(std::isfinite(p.amplitude_N), "amplitude_N", p.amplitude_N, "finite");
-  require(std::isfinite(p.start_s), "start_s", p.start_s, "finite");
+  const Require require{"disturbance"};
+  require.finite("amplitude_N", p.amplitude_N);
+  require.finite("start_s", p.start_s);
   require(p.duration_s > 0.0, "duration_s", p.duration_s, "> 0");
-  require(std::isfinite(p.phase_rad), "phase_rad", p.phase_rad, "finite");
-  if (p.kind == Kind::kSine)
-    require(std::isfinite(p.period_s) && p.period_s > 0.0, "period_s", p.period_s, "finite and > 0");
+  require.finite("phase_rad", p.phase_rad);
+  if (p.kind == Kind::kSine) require.positive("period_s", p.period_s);
   if (p.kind == Kind::kRamp)
     require(std::isfinite(p.ramp_s) && p.ramp_s > 0.0 && p.ramp_s <= p.duration_s, "ramp_s", p.ramp_s,
             "finite, > 0 and <= duration_s");
   if (p.kind == Kind::kChirp) {
-    require_frequency("f0_Hz", p.f0_Hz);
-    require_frequency("f1_Hz", p.f1_Hz);
+    require.not_negative("f0_Hz", p.f0_Hz);
+    require.not_negative("f1_Hz", p.f1_Hz);
     require(std::isfinite(p.duration_s), "duration_s", p.duration_s, "finite for a chirp");
   }
 }
@@ -66,9 +55,10 @@ double ForceProfile::value(double t) const noexcept {
 }
 
 void Disturbance::validate() const {
+  const Require require{"disturbance"};
   require_valid(profile);
   require(leg >= AppliedForce::kTrunk && leg < kLegs, "leg", leg, "-1 (trunk) or 0 to 3 (LF, RF, LH, RH)");
-  for (const double coordinate : p_L) require(std::isfinite(coordinate), "p_L", coordinate, "finite");
+  for (const double coordinate : p_L) require.finite("p_L", coordinate);
   const double norm = direction.norm();
   require(std::abs(norm - 1.0) <= kUnitTolerance, "norm of direction", norm, "1");
   if (trigger)

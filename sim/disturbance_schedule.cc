@@ -5,7 +5,7 @@
 namespace dob {
 namespace {
 
-constexpr double kSlack = 1e-9;  // [s] on a start, [-] on a phase: both are sums of ticks
+constexpr double kStartSlack = 1e-9;  // [s] on a start, [-] on a phase: both are sums of ticks
 
 }  // namespace
 
@@ -23,9 +23,9 @@ void DisturbanceSchedule::update(double t, const PerLeg<double>& swing_phase, co
   began_ = false;
   for (Item& item : items_) {
     Disturbance& d = item.disturbance;
-    if (item.waits && t >= d.profile.start_s - kSlack) {
+    if (item.waits && t >= d.profile.start_s - kStartSlack) {
       const auto leg = static_cast<std::size_t>(d.trigger->leg);
-      const double phase = d.trigger->phase - kSlack;
+      const double phase = d.trigger->phase - kStartSlack;
       if (last_phase_[leg] < phase && swing_phase[leg] >= phase) {
         item.waits = false;
         d.profile.start_s = t;

@@ -7,7 +7,7 @@ namespace dob {
 namespace {
 
 // Uniform in (0, 1): the upper 53 bits, moved off zero by half a step so that its logarithm exists.
-double uniform(std::mt19937_64& engine) noexcept {
+double open_uniform(std::mt19937_64& engine) noexcept {
   return (static_cast<double>(engine() >> 11U) + 0.5) * 0x1p-53;
 }
 
@@ -18,8 +18,8 @@ double NormalDeviates::next() noexcept {
     has_spare_ = false;
     return spare_;
   }
-  const double radius = std::sqrt(-2.0 * std::log(uniform(engine_)));
-  const double angle = 2.0 * std::numbers::pi * uniform(engine_);
+  const double radius = std::sqrt(-2.0 * std::log(open_uniform(engine_)));
+  const double angle = 2.0 * std::numbers::pi * open_uniform(engine_);
   spare_ = radius * std::sin(angle);
   has_spare_ = true;
   return radius * std::cos(angle);

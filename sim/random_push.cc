@@ -3,24 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
-#include <string_view>
-
-#include <fmt/format.h>
 
 #include "sim/random_stream.h"
+#include "sim/require.h"
 
 namespace dob {
 namespace {
 
-constexpr double kSlack = 1e-9;              // [s] a draw that would begin this close to the end does not
-constexpr std::uint32_t kStreams = 0x9d5au;  // sets these streams apart from others of the same seed
-
-void require(bool allowed, std::string_view field, double value, std::string_view expected) {
-  if (!allowed) {
-    throw std::invalid_argument(fmt::format("random push: {} = {}, must be {}", field, value, expected));
-  }
-}
+constexpr double kEndSlack = 1e-9;               // [s] a draw that would begin this close to the end does not
+constexpr std::uint32_t kPushStreams = 0x9d5au;  // sets these streams apart from others of the same seed
 
 // The point at this share of the length from the pitch joint over the knee to the foot.
 void place(double share, const LegDescription& leg, Disturbance& d) {
@@ -39,10 +30,11 @@ void place(double share, const LegDescription& leg, Disturbance& d) {
 }  // namespace
 
 void RandomPush::validate() const {
-  require(std::isfinite(min_N) && min_N >= 0.0, "min_N", min_N, "finite and >= 0");
+  const Require require{"random push"};
+  require.not_negative("min_N", min_N);
   require(std::isfinite(max_N) && max_N >= min_N, "max_N", max_N, "finite and >= min_N");
-  require(std::isfinite(hold_s) && hold_s > 0.0, "hold_s", hold_s, "finite and > 0");
-  require(std::isfinite(start_s), "start_s", start_s, "finite");
+  require.positive("hold_s", hold_s);
+  require.finite("start_s", start_s);
   require(duration_s > 0.0, "duration_s", duration_s, "> 0");
   require(!legs.empty(), "number of legs", 0.0, "at least 1");
 }
@@ -50,12 +42,12 @@ void RandomPush::validate() const {
 std::vector<Disturbance> draw_pushes(const RandomPush& push, const RobotDescription& robot, std::uint64_t seed,
                                      std::uint32_t stream, double end_s) {
   push.validate();
-  std::mt19937_64 random = random_stream(seed, kStreams, stream);
+  std::mt19937_64 random = random_stream(seed, kPushStreams, stream);
   const double end = std::min(end_s, push.start_s + push.duration_s);
   std::vector<Disturbance> draws;
   for (int k = 0;; ++k) {
     const double start = push.start_s + k * push.hold_s;
-    if (start >= end - kSlack) return draws;
+    if (start >= end - kEndSlack) return draws;
     // Four numbers per draw, in this order.
     Disturbance d;
     const Leg leg = push.legs[static_cast<std::size_t>(uniform(random) * static_cast<double>(push.legs.size()))];

@@ -1,30 +1,20 @@
 #include "sim/sensing.h"
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
-#include <string_view>
 
 #include <fmt/format.h>
 
 #include "sim/random_stream.h"
+#include "sim/require.h"
 
 namespace dob {
 namespace {
 
-constexpr std::uint32_t kStreams = 0x5e45u;  // sets these streams apart from others of the same seed
+constexpr std::uint32_t kSensingStreams = 0x5e45u;  // sets these streams apart from others of the same seed
 enum Stream : std::uint32_t { kBaseVelocity, kTorqueSigns };
 
-void require(bool allowed, std::string_view field, double value, std::string_view expected) {
-  if (!allowed) throw std::invalid_argument(fmt::format("sensing: {} = {}, must be {}", field, value, expected));
-}
-
-void require_not_negative(std::string_view field, double value) {
-  require(std::isfinite(value) && value >= 0.0, field, value, "finite and >= 0");
-}
-
 Vec12 draw_signs(std::uint64_t seed) {
-  std::mt19937_64 random = random_stream(seed, kStreams, kTorqueSigns);
+  std::mt19937_64 random = random_stream(seed, kSensingStreams, kTorqueSigns);
   Vec12 signs;
   for (double& sign : signs) sign = (random() >> 63U) == 0 ? 1.0 : -1.0;
   return signs;
@@ -37,17 +27,18 @@ bool SensingErrors::of_state() const noexcept {
 }
 
 void SensingErrors::validate() const {
-  require_not_negative("base_velocity_noise", base_velocity_noise);
-  require_not_negative("base_angular_velocity_noise", base_angular_velocity_noise);
-  require_not_negative("torque_bias", torque_bias);
-  require(std::isfinite(foot_force_bias), "foot_force_bias", foot_force_bias, "finite");
+  const Require require{"sensing"};
+  require.not_negative("base_velocity_noise", base_velocity_noise);
+  require.not_negative("base_angular_velocity_noise", base_angular_velocity_noise);
+  require.not_negative("torque_bias", torque_bias);
+  require.finite("foot_force_bias", foot_force_bias);
   require(delay_ticks >= 0 && delay_ticks <= kMaxDelayTicks, "delay_ticks", delay_ticks,
           fmt::format("from 0 to {}", kMaxDelayTicks));
 }
 
 Sensing::Sensing(const SensingErrors& errors, std::uint64_t seed)
     : errors_(errors),
-      noise_(random_stream(seed, kStreams, kBaseVelocity)),
+      noise_(random_stream(seed, kSensingStreams, kBaseVelocity)),
       torque_bias_(errors.torque_bias * draw_signs(seed)) {
   errors_.validate();
 }

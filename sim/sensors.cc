@@ -1,32 +1,23 @@
 #include "sim/sensors.h"
 
-#include <cmath>
-#include <stdexcept>
-#include <string_view>
-
-#include <fmt/format.h>
-
 #include "sim/random_stream.h"
+#include "sim/require.h"
 
 namespace dob {
 namespace {
 
-constexpr std::uint32_t kStream = 0x5e50u;  // sets this stream apart from others of the same seed
-
-void require_fraction(std::string_view field, double value) {
-  if (!std::isfinite(value) || value < 0.0) {
-    throw std::invalid_argument(fmt::format("sensor noise: {} = {}, must be finite and >= 0", field, value));
-  }
-}
+constexpr std::uint32_t kSensorStream = 0x5e50u;  // sets this stream apart from others of the same seed
 
 }  // namespace
 
 void SensorNoise::validate() const {
-  require_fraction("torque_relative", torque_relative);
-  require_fraction("foot_force_relative", foot_force_relative);
+  const Require require{"sensor noise"};
+  require.not_negative("torque_relative", torque_relative);
+  require.not_negative("foot_force_relative", foot_force_relative);
 }
 
-Sensors::Sensors(const SensorNoise& noise, std::uint64_t seed) : noise_(noise), normal_(random_stream(seed, kStream)) {
+Sensors::Sensors(const SensorNoise& noise, std::uint64_t seed)
+    : noise_(noise), normal_(random_stream(seed, kSensorStream)) {
   noise_.validate();
 }
 

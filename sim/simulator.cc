@@ -1,6 +1,5 @@
 #include "sim/simulator.h"
 
-#include <cmath>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -12,23 +11,10 @@
 #include "sim/ode_handles.h"
 #include "sim/ode_payload.h"
 #include "sim/ode_robot.h"
+#include "sim/require.h"
 
 namespace dob {
 namespace {
-
-void require(bool allowed, std::string_view option, double value, std::string_view expected) {
-  if (!allowed) {
-    throw std::invalid_argument(fmt::format("simulator: {} = {}, must be {}", option, value, expected));
-  }
-}
-
-void require_share(std::string_view option, double value) {
-  require(value >= 0.0 && value <= 1.0, option, value, "between 0 and 1");
-}
-
-void require_not_negative(std::string_view option, double value) {
-  require(std::isfinite(value) && value >= 0.0, option, value, "finite and >= 0");
-}
 
 void require_valid(const AppliedForce& force) {
   if (force.leg < AppliedForce::kTrunk || force.leg >= kLegs || !force.p_L.allFinite() || !force.force_W.allFinite()) {
@@ -52,13 +38,17 @@ OdeWorld make_world(const SimOptions& options) {
 }  // namespace
 
 void SimOptions::validate() const {
-  require(std::isfinite(dt) && dt > 0.0, "dt", dt, "finite and > 0");
+  const Require require{"simulator"};
+  const auto require_share = [&](std::string_view option, double value) {
+    require(value >= 0.0 && value <= 1.0, option, value, "between 0 and 1");
+  };
+  require.positive("dt", dt);
   require_share("erp", erp);
   require_share("contact_erp", contact_erp);
-  require_not_negative("cfm", cfm);
-  require_not_negative("contact_cfm", contact_cfm);
-  require_not_negative("robot_friction", robot_friction);
-  require(std::isfinite(gravity), "gravity", gravity, "finite");
+  require.not_negative("cfm", cfm);
+  require.not_negative("contact_cfm", contact_cfm);
+  require.not_negative("robot_friction", robot_friction);
+  require.finite("gravity", gravity);
 }
 
 // Destroyed from the bottom up: contacts, then the robot's solids, then bodies and hinges with the world.

@@ -1,5 +1,6 @@
 // Whole-body problems as hostile as a robot, its options and a broken sensor can make them: a status, never a hang, and
 // no claim without a proof.
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -108,9 +109,14 @@ class HostileInstances {
     return low;
   }
 
-  Vec3 vec3(double scale) { return scale * Vec3(uniform(-1.0, 1.0), uniform(-1.0, 1.0), uniform(-1.0, 1.0)); }
+  // (Draws of one expression in braces: in their order with every compiler.)
+  Vec3 vec3(double scale) {
+    const std::array<double, 3> v{uniform(-1.0, 1.0), uniform(-1.0, 1.0), uniform(-1.0, 1.0)};
+    return scale * Vec3(v[0], v[1], v[2]);
+  }
   Mat3 rotation(double largest) {
-    return Eigen::AngleAxisd(uniform(0.0, largest), vec3(1.0).normalized()).toRotationMatrix();
+    const double angle = uniform(0.0, largest);
+    return Eigen::AngleAxisd(angle, vec3(1.0).normalized()).toRotationMatrix();
   }
 
   void draw_reference(WbcInstance& in) {
@@ -132,7 +138,8 @@ class HostileInstances {
     in.estimate.has_legs = chance(0.7);
     for (double& torque : in.estimate.leg_torque) torque = scale * uniform(-1.0, 1.0);
     in.estimate.has_com = chance(0.5);
-    in.estimate.com_wrench << scale * vec3(1.0), 0.1 * scale * vec3(1.0);
+    in.estimate.com_wrench.head<3>() = scale * vec3(1.0);
+    in.estimate.com_wrench.tail<3>() = 0.1 * scale * vec3(1.0);
   }
 
   void draw_options(Hostile& h) {
