@@ -155,6 +155,7 @@ std::vector<LevelState> states_of(const std::vector<std::vector<std::size_t>>& l
 void add_cells(const std::vector<int>& wanted, const std::vector<std::vector<std::size_t>>& levels,
                const std::vector<LevelState>& states, std::vector<std::size_t>& cells) {
   std::vector<int> used;
+  used.reserve(states.size());
   for (const LevelState& state : states) used.push_back(state.used());
   for (const int level : wanted) {
     const auto i = static_cast<std::size_t>(level);

@@ -48,6 +48,7 @@ std::vector<std::string> observer_names() {
 
 std::vector<std::string> metrics() {
   std::vector<std::string> names;
+  names.reserve(kMetricFields.size());
   for (const MetricField& field : kMetricFields) names.emplace_back(field.name);
   return names;
 }

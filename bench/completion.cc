@@ -77,7 +77,7 @@ std::vector<std::string> choices_of(const CLI::Option& option) {
   const std::size_t close = type.find('}', open == std::string::npos ? 0 : open);
   if (open == std::string::npos || close == std::string::npos) return {};
   Words choices;
-  for (std::string choice : CLI::detail::split(type.substr(open + 1, close - open - 1), ',')) {
+  for (const std::string& choice : CLI::detail::split(type.substr(open + 1, close - open - 1), ',')) {
     choices.push_back(choice.substr(0, choice.find("->")));
   }
   return choices;

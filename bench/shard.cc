@@ -23,7 +23,7 @@ std::string fingerprint_of(const BatchPlan& plan) {
   Fingerprint all;
   const auto add = [&all](std::string_view text) {
     all.add(text);
-    all.add({"", 1});  // so that "ab", "c" is not "a", "bc"
+    all.add(std::string_view("\0", 1));  // so that "ab", "c" is not "a", "bc"
   };
   for (const ResolvedScenario& scenario : plan.resolved) add(scenario.name), add(scenario.toml);
   for (const std::string& source : observer_sources(plan)) add(source);

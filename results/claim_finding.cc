@@ -57,6 +57,7 @@ std::vector<Sample> samples_of(const std::vector<const CellGroup*>& groups, std:
 
 std::optional<double> median_of(const std::vector<Sample>& samples) {
   std::vector<double> values;
+  values.reserve(samples.size());
   for (const Sample& sample : samples) values.push_back(sample.value);
   return values.empty() ? std::nullopt : std::optional(median(values));
 }

@@ -123,6 +123,7 @@ Finding evaluate(const LargerClaim& claim, const ClaimView& view) {
                                kMetricFields.at(claim.metric).name, kMetricFields.at(claim.than).name));
   }
   std::vector<double> figures;
+  figures.reserve(runs.size());
   for (const TwoFigures& run : runs) figures.push_back(run.one);
   const TwoFigures& least = *std::min_element(runs.begin(), runs.end(), smaller_ratio);
   const auto held = std::count_if(runs.begin(), runs.end(), [](const TwoFigures& run) { return run.one > run.other; });

@@ -140,7 +140,7 @@ class TimeFigure {
 
   static FigureSeries shown_part(const FigurePanelSpec& spec, const FigureQuantity& quantity, const FigureSeries& whole,
                                  const FigureCell& cell) {
-    const FigureSeries part = spec.time_s ? cut(whole, (*spec.time_s)[0], (*spec.time_s)[1]) : whole;
+    FigureSeries part = spec.time_s ? cut(whole, (*spec.time_s)[0], (*spec.time_s)[1]) : whole;
     if (std::none_of(part.value.begin(), part.value.end(), [](double v) { return std::isfinite(v); })) {
       throw StoreError(fmt::format("{}, {}: no {} in the part that is shown", case_name(cell.cell->key),
                                    cell.cell->key.observer, with_leg(quantity.axis, spec.leg)));

@@ -32,7 +32,7 @@ std::vector<Vec3> corners(const CollisionShape& shape) {
   if (shape.kind == CollisionShape::Kind::kBox) {
     for (const double x : {-0.5, 0.5}) {
       for (const double y : {-0.5, 0.5}) {
-        for (const double z : {-0.5, 0.5}) points.push_back(shape.size.cwiseProduct(Vec3(x, y, z)));
+        for (const double z : {-0.5, 0.5}) points.emplace_back(shape.size.cwiseProduct(Vec3(x, y, z)));
       }
     }
     return points;

@@ -90,6 +90,7 @@ std::vector<MadeFigure> make_figures(const FigureSet& set, FigureCells& cells) {
 
 std::vector<MadeFigure> made_figures(const std::vector<CampaignFigure>& figures) {
   std::vector<MadeFigure> made;
+  made.reserve(figures.size());
   for (const CampaignFigure& figure : figures) made.push_back({&figure.spec, figure.figure, {}});
   return made;
 }

@@ -214,14 +214,14 @@ class Merge {
 
 }  // namespace
 
-MergeSummary merge_runs(const std::vector<fs::path>& dirs, const fs::path& out) {
-  const std::vector<Part> parts = read_parts(dirs, out);
+MergeSummary merge_runs(const std::vector<fs::path>& parts, const fs::path& out) {
+  const std::vector<Part> read = read_parts(parts, out);
   std::error_code error;
   const bool made = !fs::exists(out, error);
   if (!is_run_directory(out)) prepare_directory(out);
   try {
     const RunLock lock(out);
-    return Merge(parts, out).run();
+    return Merge(read, out).run();
   } catch (const StoreError&) {
     if (!is_run_directory(out)) fs::remove(out / kLockFile, error);
     if (made) fs::remove(out, error);

@@ -54,6 +54,7 @@ void MergedRows::add_plan() {
 
 void MergedRows::require_agreement() {
   std::vector<std::string> same;
+  same.reserve(kKeyColumns.size());
   for (const std::string& column : kKeyColumns) same.push_back(fmt::format("ours.{0} = theirs.{0}", column));
   refuse_if(fmt::format("SELECT theirs.id FROM part.cell AS theirs LEFT JOIN cell AS ours ON ours.id = theirs.id"
                         "  AND {} WHERE ours.id IS NULL",

@@ -177,10 +177,10 @@ void note_what_is_missing(const Run& run, std::vector<std::string>& missing) {
                     open, number_of(run.info.cells.size(), "cell")));
   }
   if (run.timings.empty()) {
-    missing.push_back("No tick and QP times: `dobbench timing --out DIR` measures them, one cell after the other.");
+    missing.emplace_back("No tick and QP times: `dobbench timing --out DIR` measures them, one cell after the other.");
   } else if (std::all_of(run.timings.begin(), run.timings.end(),
                          [](const CellTiming& timing) { return timing.tick_histogram.counts.empty(); })) {
-    missing.push_back(
+    missing.emplace_back(
         "No histograms of tick and QP times: they were measured before these were kept. `dobbench timing --out DIR` "
         "measures again.");
   }

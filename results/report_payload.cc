@@ -139,6 +139,7 @@ Json add_replay(const Trace& trace, std::string& bytes) {
   }
   const auto at_frames = [&](const std::vector<float>& column) {
     std::vector<float> samples;
+    samples.reserve(frames.size());
     for (const std::size_t row : frames) samples.push_back(column[row]);
     return samples;
   };

@@ -132,6 +132,7 @@ TableBlock empty_block(std::string title, const std::vector<Column>& columns) {
 
 std::vector<std::string> cells_of(const TableRow& row, const std::vector<Column>& columns) {
   std::vector<std::string> cells;
+  cells.reserve(columns.size());
   for (const Column& column : columns) cells.push_back(column.cell(row));
   return cells;
 }

@@ -16,7 +16,7 @@ struct Merit {
   double lost_share;
   double error;  // where every run was lost: minus the time until the fall
 
-  friend auto operator<=>(const Merit&, const Merit&) = default;
+  friend auto operator<=>(const Merit&, const Merit&) = default;  // NOLINT(modernize-use-nullptr): a false alarm
 };
 
 // Of a row that can be ranked.

@@ -69,13 +69,13 @@ void compare(TableRow& row, const std::map<int, const CellResult*>& cells,
 
 }  // namespace
 
-void compare_with_reference(std::vector<TableRow>& rows, const Run& run, const std::string& text) {
-  const Reference reference = parse(text.empty() ? "none" : text);
-  if (!text.empty()) require_in_run(rows, reference, text);
+void compare_with_reference(std::vector<TableRow>& rows, const Run& run, const std::string& reference) {
+  const Reference chosen = parse(reference.empty() ? "none" : reference);
+  if (!reference.empty()) require_in_run(rows, chosen, reference);
   CellsOfRows cells;
   for (const CellResult& cell : run.cells) cells[without_seed(cell.key)][cell.key.seed] = &cell;
   for (TableRow& row : rows) {
-    const TableRow* other = find_reference(rows, reference, row);
+    const TableRow* other = find_reference(rows, chosen, row);
     if (other == nullptr || other == &row) continue;
     row.reference = name_of(other->key);
     compare(row, cells[row.key], cells[other->key]);

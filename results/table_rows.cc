@@ -88,6 +88,7 @@ TableRow make_row(const CellKey& key, int seeds, std::vector<const CellResult*> 
 TimingSummary summarise_timings(const std::vector<const CellTiming*>& timings) {
   const auto values = [&](double CellTiming::*field) {
     std::vector<double> samples;
+    samples.reserve(timings.size());
     for (const CellTiming* timing : timings) samples.push_back(timing->*field);
     return samples;
   };

@@ -1,8 +1,9 @@
 #include "results/verification.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -42,7 +43,7 @@ std::string bits_of(CellResult cell) {
 
 bool same_bits(const std::optional<double>& a, const std::optional<double>& b) {
   if (!a || !b) return !a && !b;
-  return std::memcmp(&*a, &*b, sizeof *a) == 0;
+  return std::bit_cast<std::uint64_t>(*a) == std::bit_cast<std::uint64_t>(*b);
 }
 
 std::string or_null(const std::optional<double>& x) {
@@ -55,7 +56,7 @@ std::string differences(const CellResult& stored, const CellResult& again) {
   if (stored.state_hash != again.state_hash) {
     parts.push_back(fmt::format("state hash {:016x} stored, {:016x} now", stored.state_hash, again.state_hash));
   } else {
-    parts.push_back("the same trajectory by its hash, another row");
+    parts.emplace_back("the same trajectory by its hash, another row");
   }
   if (ending(stored) != ending(again)) parts.push_back(fmt::format("{} stored, {} now", ending(stored), ending(again)));
   std::size_t metrics = 0;

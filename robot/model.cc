@@ -47,7 +47,7 @@ Vec3 store_base(const LanesSums& lanes, ModelTerms& t) noexcept {
   t.p_b << linear, angular;
   t.CTv_b << Vec3::Zero(), linear.cross(t.state.v_WB);
 
-  const Vec3 c = first_moment / t.mass;
+  Vec3 c = first_moment / t.mass;
   t.p_com = t.state.p_WB + c;
   t.I_c = inertia + first_moment * c.transpose();
   t.I_c.diagonal().array() -= first_moment.dot(c);
