@@ -4,7 +4,7 @@ JOBS ?= $(shell nproc)
 PAPER_SET = none momentum com_wrench nonlinear_dob momentum_com oracle_full
 WERROR ?= $(if $(DOB_WERROR),$(DOB_WERROR),OFF)
 
-.PHONY: run test build setup paper publish everything batch-smoke order-study repeatability lint coverage mutation tsan fuzz docs format clean
+.PHONY: run test build setup paper publish everything batch-smoke order-study repeatability lint coverage mutation asan tsan fuzz docs format clean
 
 run: build
 	build/bin/dobbench run $(addprefix --observer ,$(PAPER_SET)) --profile paper --profile tuned --seeds 3 --claims --jobs $(JOBS)
@@ -65,7 +65,7 @@ repeatability: build
 	bench/repeatability.sh build/repeatability $(JOBS)
 
 # Gates that take too long for every push; last results in docs/quality.md.
-lint: build
+lint: setup
 	.ci/setup .ci/packages-checks
 	.ci/check-lint robot observers controller sim scenarios results bench test
 
@@ -75,6 +75,9 @@ coverage: setup
 
 mutation: setup
 	test/mutation/mutate.py --jobs $(JOBS)
+
+asan: setup
+	.ci/check-sanitizers robot_test observers_test controller_test sim_test scenarios_test results_test bench_test
 
 tsan: setup
 	cmake --preset tsan -DDOB_WERROR=OFF >/dev/null
