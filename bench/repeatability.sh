@@ -32,7 +32,7 @@ build() {  # build VARIANT: the program alone
   IFS='|' read -r compiler flags options <<<"${variants[$1]}"
   # shellcheck disable=SC2086  # options are a list of words
   cmake -S . -B "$out/$1" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER="$compiler" \
-    -DCMAKE_CXX_FLAGS_RELEASE="$flags" -DDOB_TESTS=OFF $options >/dev/null
+    -DCMAKE_CXX_FLAGS_RELEASE="$flags" -DDOB_UNITY=ON -DDOB_TESTS=OFF $options >/dev/null
   cmake --build "$out/$1" -j "$jobs" --target dobbench >"$out/$1.log" || { tail -20 "$out/$1.log" >&2; exit 1; }
 }
 
