@@ -17,12 +17,12 @@ RobotState standing_pose(const Model& model, double com_height, double foot_offs
     }
   }
   // The trunk's place depends on where the legs put the CoM: a contraction, since the legs weigh less than the robot.
-  constexpr int kMaxIterations = 200;
-  constexpr double kTolerance = 1e-12;  // [m]
+  constexpr int kMaxSteps = 200;
+  constexpr double kSettled = 1e-12;  // [m]
   const Vec3 target(0.0, 0.0, com_height);
   state.p_WB = target;
   ModelTerms terms;
-  for (int i = 0; i < kMaxIterations; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     for (int l = 0; l < kLegs; ++l) {
       const Vec3 foot(l < 2 ? foot_offset_x : -foot_offset_x, l % 2 == 0 ? foot_offset_y : -foot_offset_y,
                       robot.legs[l].foot_radius);
@@ -37,7 +37,7 @@ RobotState standing_pose(const Model& model, double com_height, double foot_offs
     }
     model.compute(state, terms);
     const Vec3 error = target - terms.p_com;
-    if (error.norm() < kTolerance) break;
+    if (error.norm() < kSettled) break;
     state.p_WB += error;
   }
   return state;

@@ -5,6 +5,7 @@
 #include "sim/require.h"
 
 namespace dob {
+
 void Terrain::validate() const {
   const Require require{"terrain"};
   require.not_negative("ground_friction", ground_friction);
