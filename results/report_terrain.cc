@@ -38,13 +38,13 @@ std::map<std::size_t, std::string> files_of(const RunInfo& info, const ReportInd
   return files;
 }
 
-// To a tenth of a millimetre, which keeps the page small.
-double to_tenth_mm(double x) {
+// A tenth of a millimetre, of a milliradian: keeps the page small.
+double four_decimals(double x) {
   return std::round(1e4 * x) / 1e4;
 }
 
 Json rounded_vector(const Vec3& v) {
-  return {to_tenth_mm(v.x()), to_tenth_mm(v.y()), to_tenth_mm(v.z())};
+  return {four_decimals(v.x()), four_decimals(v.y()), four_decimals(v.z())};
 }
 
 Json boxes_json(const Terrain& terrain) {
@@ -52,7 +52,7 @@ Json boxes_json(const Terrain& terrain) {
   for (const TerrainBox& box : terrain.boxes) {
     boxes.push_back({{"center", rounded_vector(box.center)},
                      {"size", rounded_vector(box.size)},
-                     {"yaw", to_tenth_mm(box.yaw_rad)},
+                     {"yaw", four_decimals(box.yaw_rad)},
                      {"friction", box.friction}});
   }
   return boxes;
