@@ -14,7 +14,7 @@
 #include "results/store.h"
 #include "test/bench/command_line_children.h"
 
-namespace dob {
+namespace dob::batch_faults_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -196,4 +196,4 @@ TEST_F(BatchFaults, AStoreOfAnotherVersionIsRefusedWithTheReason) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::batch_faults_test

@@ -9,7 +9,7 @@
 
 #include "scenarios/input_error.h"
 
-namespace dob {
+namespace dob::batch_plan_test {
 namespace {
 
 TEST(BatchPlan, AnObserverWithoutGainsIsRunOnceWhateverTheProfiles) {
@@ -188,4 +188,4 @@ TEST(BatchPlan, ShadowsWatchEveryCellInTheFirstProfileAskedForButNeverThemselves
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::batch_plan_test

@@ -11,7 +11,7 @@
 
 #include "results/fall_threshold.h"
 
-namespace dob {
+namespace dob::campaign_search_test {
 namespace {
 
 using ::testing::AllOf;
@@ -140,4 +140,4 @@ TEST(CampaignSearch, ABreakdownGoesLevelByLevelUntilTwoHaveBroken) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::campaign_search_test

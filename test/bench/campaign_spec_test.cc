@@ -10,7 +10,7 @@
 #include "bench/campaign_search.h"
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::campaign_spec_test {
 namespace {
 
 using ::testing::AllOf;
@@ -212,4 +212,4 @@ TEST_F(CampaignSpecTest, ShippedCampaignsCanBePlanned) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::campaign_spec_test

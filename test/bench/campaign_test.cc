@@ -11,7 +11,7 @@
 #include "results/store.h"
 #include "test/bench/command_line_children.h"
 
-namespace dob {
+namespace dob::campaign_test {
 namespace {
 
 using test::Answer;
@@ -138,4 +138,4 @@ TEST_F(CampaignCommand, BadInputIsRefusedWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::campaign_test

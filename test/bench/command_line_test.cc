@@ -15,6 +15,7 @@
 
 #include "results/store.h"
 
+namespace dob::command_line_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -318,3 +319,4 @@ TEST_F(CommandLine, ListsWhatThereIs) {
 }
 
 }  // namespace
+}  // namespace dob::command_line_test

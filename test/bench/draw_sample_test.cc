@@ -6,7 +6,7 @@
 
 #include "bench/verify.h"
 
-namespace dob {
+namespace dob::draw_sample_test {
 namespace {
 
 TEST(DrawSample, IsInOrderWithoutRepetitionAndTheSameForTheSameSeed) {
@@ -38,4 +38,4 @@ TEST(DrawSample, EveryCellIsDrawnAsOften) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::draw_sample_test

@@ -8,6 +8,7 @@
 
 #include "test/bench/command_line.h"
 
+namespace dob::figures_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -73,3 +74,4 @@ TEST_F(FiguresCommand, BadInputIsRefused) {
 }
 
 }  // namespace
+}  // namespace dob::figures_test

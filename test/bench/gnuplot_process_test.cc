@@ -12,7 +12,7 @@
 #include "results/whole_file.h"
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::gnuplot_process_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -81,4 +81,4 @@ TEST(ShippedFigures, ReferToSignalsThatATraceHas) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::gnuplot_process_test

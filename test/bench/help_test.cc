@@ -6,6 +6,7 @@
 
 #include "test/bench/command_line.h"
 
+namespace dob::help_test {
 namespace {
 
 using dob::test::Answer;
@@ -159,3 +160,4 @@ TEST_F(Help, BashCompletesWithTheScript) {
 }
 
 }  // namespace
+}  // namespace dob::help_test

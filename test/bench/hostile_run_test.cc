@@ -11,7 +11,7 @@
 #include "results/store.h"
 #include "test/bench/command_line.h"
 
-namespace dob {
+namespace dob::hostile_run_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -190,4 +190,4 @@ TEST_F(HostileRun, TextsInItDoNotBecomePrograms) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::hostile_run_test

@@ -8,7 +8,7 @@
 #include "bench/trial.h"
 #include "scenarios/loader.h"
 
-namespace dob {
+namespace dob::imperfect_trial_test {
 namespace {
 
 Scenario load(const std::string& name, double duration) {
@@ -160,4 +160,4 @@ TEST(PayloadInATrial, IsAnOnsetAndATrueForceOnTheTrunkShiftedByTheSeed) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::imperfect_trial_test

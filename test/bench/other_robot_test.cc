@@ -6,7 +6,7 @@
 #include "bench/trial.h"
 #include "scenarios/loader.h"
 
-namespace dob {
+namespace dob::other_robot_test {
 namespace {
 
 Scenario load(const std::string& name, double duration) {
@@ -49,4 +49,4 @@ TEST(OtherRobot, FallsUnderAForceOnItsKneeThatItsObserverLetsItWalkUnder) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::other_robot_test

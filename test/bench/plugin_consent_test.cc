@@ -6,7 +6,7 @@
 
 #include "test/bench/command_line.h"
 
-namespace dob {
+namespace dob::plugin_consent_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -92,4 +92,4 @@ TEST_F(PluginConsent, OneThatCrashesOrLeavesWhileItIsLoadedIsRefusedInOneLine) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::plugin_consent_test

@@ -14,7 +14,7 @@
 #include "results/store.h"
 #include "test/bench/command_line.h"
 
-namespace dob {
+namespace dob::plugin_faults_test {
 namespace {
 
 using test::Answer;
@@ -158,4 +158,4 @@ TEST_F(PluginFaults, AShadowWithoutAFiniteEstimateHasNoErrorAndTheCellStaysAsItI
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::plugin_faults_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::progress_test {
 namespace {
 
 CellResult ended(Outcome outcome) {
@@ -22,4 +22,4 @@ TEST(Progress, CountsCellsFallsAndErrorsAndForeseesTheEndFromTheWorkDone) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::progress_test

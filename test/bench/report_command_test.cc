@@ -11,6 +11,7 @@
 #include "test/bench/command_line.h"
 #include "test/results/report_samples.h"
 
+namespace dob::report_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -148,3 +149,4 @@ TEST_F(CommandLine, WhatCannotBeReportedIsRefusedAndNothingIsWritten) {
 }
 
 }  // namespace
+}  // namespace dob::report_command_test

@@ -13,7 +13,7 @@
 #include "results/store.h"
 #include "test/bench/command_line_children.h"
 
-namespace dob {
+namespace dob::resume_test {
 namespace {
 
 using test::Answer;
@@ -149,4 +149,4 @@ TEST_F(Resume, TimingIsKeptApartFromTheTable) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::resume_test

@@ -5,7 +5,7 @@
 
 #include "scenarios/input_error.h"
 
-namespace dob {
+namespace dob::shard_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -87,4 +87,4 @@ TEST(Shard, WhatIsNoShardIsRefused) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::shard_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::shell_words_test {
 namespace {
 
 TEST(ShellWords, ALineSplitsIntoTheWordsThatItWasMadeOf) {
@@ -18,4 +18,4 @@ TEST(ShellWords, PlainWordsStayAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::shell_words_test

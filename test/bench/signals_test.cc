@@ -12,7 +12,7 @@
 #include "test/results/quiet_tick.h"
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::signals_test {
 namespace {
 
 std::vector<std::string> split(const std::string& line) {
@@ -138,4 +138,4 @@ TEST(CellFiles, NamesAreUniqueInTheRunAndSafe) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::signals_test

@@ -3,6 +3,7 @@
 
 #include "test/bench/command_line.h"
 
+namespace dob::slurm_command_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -99,3 +100,4 @@ TEST_F(SlurmCommand, JobsThatSlurmDoesNotTakeAreAnError) {
 }
 
 }  // namespace
+}  // namespace dob::slurm_command_test

@@ -11,7 +11,7 @@
 #include "scenarios/input_error.h"
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::slurm_scripts_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -162,4 +162,4 @@ TEST_F(SlurmScriptsOfACampaign, ShellcheckFindsNothing) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::slurm_scripts_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::state_hash_test {
 namespace {
 
 RobotState some_state() {
@@ -71,4 +71,4 @@ TEST(StateHash, TheOrderOfStatesCounts) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::state_hash_test

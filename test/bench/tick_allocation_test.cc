@@ -9,7 +9,7 @@
 #include "sim/sensing.h"
 #include "test/support/allocation_counter.h"
 
-namespace dob {
+namespace dob::tick_allocation_test {
 namespace {
 
 struct Walk {
@@ -100,4 +100,4 @@ INSTANTIATE_TEST_SUITE_P(Walks, ControlTick,
                          [](const auto& walk) { return walk.param.name; });
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::tick_allocation_test

@@ -5,7 +5,7 @@
 #include "bench/trial.h"
 #include "scenarios/loader.h"
 
-namespace dob {
+namespace dob::timing_test {
 namespace {
 
 TEST(Timing, MeasuringTheTicksChangesNoState) {
@@ -38,4 +38,4 @@ TEST(Timing, OnlyTheFirstSeedOfEveryRowIsTimed) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::timing_test

@@ -4,7 +4,7 @@
 #include "bench/trial.h"
 #include "scenarios/loader.h"
 
-namespace dob {
+namespace dob::trial_terrain_test {
 namespace {
 
 // Case 6 over a short time, with one field of equal blocks close before the robot. Its front feet start at 0.287 m.
@@ -68,4 +68,4 @@ TEST(TrialOverBlocks, BlocksHigherThanThePlannedStepStopTheRobotWithoutAFall) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::trial_terrain_test

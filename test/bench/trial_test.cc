@@ -8,7 +8,7 @@
 
 #include "scenarios/loader.h"
 
-namespace dob {
+namespace dob::trial_test {
 namespace {
 
 Scenario load(const std::string& name, double duration) {
@@ -355,4 +355,4 @@ TEST(Trial, AFallEndsTheTrialWithItsReasonAndTime) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::trial_test

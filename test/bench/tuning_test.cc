@@ -9,7 +9,7 @@
 #include "scenarios/loader.h"
 #include "test/scenarios/scratch_files.h"
 
-namespace dob {
+namespace dob::tuning_test {
 namespace {
 
 const std::vector<TuningParameter> kSpace{{"gain_scale", TuningRange{4.0, 60.0}},
@@ -92,4 +92,4 @@ TEST(Tuning, ATunedProfileReadsBackAsTheObserversItWasMadeOf) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::tuning_test

@@ -13,7 +13,7 @@
 #include "results/store.h"
 #include "test/bench/command_line.h"
 
-namespace dob {
+namespace dob::verify_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -245,4 +245,4 @@ TEST_F(VerifyCommand, PluginsAreLoadedOnlyWhenTheyAreNamed) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::verify_test

@@ -19,7 +19,7 @@
 #include "bench/worker_pool.h"
 #include "test/support/pipe_home.h"
 
-namespace dob {
+namespace dob::worker_faults_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -227,4 +227,4 @@ TEST(WorkerFaults, ASignalEndsWhatTheWorkersHaveStarted) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::worker_faults_test

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::worker_pool_test {
 namespace {
 
 std::map<std::size_t, TaskOutcome> run_all(std::size_t count, const WorkerOptions& options,
@@ -71,4 +71,4 @@ TEST(WorkerPool, ASignalEndsTheBatchAndIsReported) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::worker_pool_test

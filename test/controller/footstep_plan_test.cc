@@ -4,7 +4,7 @@
 
 #include "test/support/standing_dogbot.h"
 
-namespace dob {
+namespace dob::footstep_plan_test {
 namespace {
 
 class FootstepPlanTest : public ::testing::Test {
@@ -116,4 +116,4 @@ TEST_F(FootstepPlanTest, StandingAndAnEmptyHorizonPlanNothing) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::footstep_plan_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::gait_scheduler_test {
 namespace {
 
 constexpr double kDt = 1e-3;
@@ -161,4 +161,4 @@ TEST(GaitScheduler, RefusesOptionsByName) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::gait_scheduler_test

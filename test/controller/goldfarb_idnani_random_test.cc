@@ -9,7 +9,7 @@
 #include "test/support/qp_checks.h"
 #include "test/support/random_qp.h"
 
-namespace dob::test {
+namespace dob::test::goldfarb_idnani_random_test {
 namespace {
 
 using Solver = GoldfarbIdnani<12, 44>;
@@ -146,4 +146,4 @@ TEST(GoldfarbIdnaniRandom, NeverClaimsMoreThanItCanProveOnHostileProblems) {
 }
 
 }  // namespace
-}  // namespace dob::test
+}  // namespace dob::test::goldfarb_idnani_random_test

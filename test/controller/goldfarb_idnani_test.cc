@@ -10,7 +10,7 @@
 #include "test/support/qp_checks.h"
 #include "test/support/random_qp.h"
 
-namespace dob::test {
+namespace dob::test::goldfarb_idnani_test {
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -287,4 +287,4 @@ TEST(QpCertificate, RejectsWrongContradictions) {
 }
 
 }  // namespace
-}  // namespace dob::test
+}  // namespace dob::test::goldfarb_idnani_test

@@ -7,7 +7,7 @@
 #include "controller/motion_planner.h"
 #include "test/support/standing_dogbot.h"
 
-namespace dob {
+namespace dob::motion_test {
 namespace {
 
 TEST(Cubic, MeetsItsEndsAndIsItsOwnDerivative) {
@@ -284,4 +284,4 @@ TEST_F(PlannerTest, RefusesOptionsByName) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::motion_test

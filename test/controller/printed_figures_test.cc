@@ -7,7 +7,7 @@
 #include "controller/compensation.h"
 #include "test/support/standing_dogbot.h"
 
-namespace dob {
+namespace dob::printed_figures_test {
 namespace {
 
 // Section 5.1: K_d,sw = 100, K_p,sw = 25. An error obeys s^2 + K_d s + K_p = 0 when (30) is met exactly.
@@ -50,4 +50,4 @@ TEST(TwoStandingFeet, GiveNoMomentAboutTheLineBetweenThem) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::printed_figures_test

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::support_polygon_test {
 namespace {
 
 const PerLeg<Vec2> kNominal{Vec2(0.287, 0.187), Vec2(0.287, -0.187), Vec2(-0.287, 0.187), Vec2(-0.287, -0.187)};
@@ -86,4 +86,4 @@ TEST(SupportPolygon, MoveInsideLeavesInnerPointsAloneAndBringsOthersToTheMargin)
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::support_polygon_test

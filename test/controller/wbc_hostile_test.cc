@@ -14,7 +14,7 @@
 #include "test/support/qp_checks.h"
 #include "test/support/wbc_instances.h"
 
-namespace dob {
+namespace dob::wbc_hostile_test {
 namespace {
 
 using test::WbcInstance;
@@ -271,4 +271,4 @@ TEST(HostileWholeBodyQp, WhatIsNotFiniteIsRefusedAndNeverSent) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::wbc_hostile_test

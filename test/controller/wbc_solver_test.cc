@@ -10,7 +10,7 @@
 #include "test/oracles/alglib_wbc_solver.h"
 #include "test/support/wbc_instances.h"
 
-namespace dob {
+namespace dob::wbc_solver_test {
 namespace {
 
 TEST(WbcSolvers, AreMadeByTheirNames) {
@@ -50,4 +50,4 @@ TEST(WbcSolvers, AlglibSendsTheSameTorquesAlongARun) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::wbc_solver_test

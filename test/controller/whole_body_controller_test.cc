@@ -12,7 +12,7 @@
 #include "scenarios/loader.h"
 #include "test/support/wbc_instances.h"
 
-namespace dob {
+namespace dob::whole_body_controller_test {
 namespace {
 
 class WholeBodyControllerTest : public ::testing::Test {
@@ -341,4 +341,4 @@ TEST_F(WholeBodyControllerTest, RefusesOptionsByName) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::whole_body_controller_test

@@ -7,7 +7,7 @@
 #include "controller/goldfarb_idnani.h"
 #include "test/controller/full_wbc_problem.h"
 
-namespace dob {
+namespace dob::whole_body_qp_test {
 namespace {
 
 using test::WbcInstance;
@@ -188,4 +188,4 @@ TEST(WholeBodyQp, WithContactRowsOnlyItIsAlwaysFeasible) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::whole_body_qp_test

@@ -9,7 +9,7 @@
 #include "controller/motion_planner.h"
 #include "test/oracles/alglib_qp.h"
 
-namespace dob {
+namespace dob::zmp_plan_test {
 namespace {
 
 constexpr double kHeight = 0.40;
@@ -302,4 +302,4 @@ TEST(ZmpPlan, AgreesWithAlglibOnTheProgramWrittenDownAnew) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::zmp_plan_test

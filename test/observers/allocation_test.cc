@@ -4,7 +4,7 @@
 #include "test/observers/ideal_plant.h"
 #include "test/support/allocation_counter.h"
 
-namespace dob {
+namespace dob::allocation_test {
 namespace {
 
 TEST(EveryObserver, AllocatesNothingInUpdateAndReset) {
@@ -21,4 +21,4 @@ TEST(EveryObserver, AllocatesNothingInUpdateAndReset) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::allocation_test

@@ -10,7 +10,7 @@
 #include "observers/momentum.h"
 #include "test/support/standing_dogbot.h"
 
-namespace dob {
+namespace dob::analysis_test {
 namespace {
 
 constexpr double kTick = 1e-3;
@@ -180,4 +180,4 @@ TEST_F(AnalysisTest, WorksForEveryObserver) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::analysis_test

@@ -4,7 +4,7 @@
 #include "observers/com_wrench.h"
 #include "test/observers/flight_test.h"
 
-namespace dob {
+namespace dob::com_wrench_dynamics_test {
 namespace {
 
 using test::FreeFlight;
@@ -148,4 +148,4 @@ TEST_F(ComWrenchDynamicsTest, EstimatesNothingButTheQuadratureErrorOfKnownForces
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::com_wrench_dynamics_test

@@ -10,7 +10,7 @@
 
 #include "test/observers/ideal_plant.h"
 
-namespace dob {
+namespace dob::com_wrench_test {
 namespace {
 
 using ::testing::AllOf;
@@ -309,4 +309,4 @@ TEST(ComWrenchObserver, HasTheGainsOfThePaperUnlessToldOtherwise) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::com_wrench_test

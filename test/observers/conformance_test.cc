@@ -16,7 +16,7 @@
 #include "test/observers/free_flight.h"
 #include "test/observers/ideal_plant.h"
 
-namespace dob {
+namespace dob::conformance_test {
 namespace {
 
 using ::testing::AllOf;
@@ -442,4 +442,4 @@ TEST(Gains, NeedATick) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::conformance_test

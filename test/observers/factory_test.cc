@@ -5,7 +5,7 @@
 
 #include "test/observers/ideal_plant.h"
 
-namespace dob {
+namespace dob::factory_test {
 namespace {
 
 using ::testing::AllOf;
@@ -65,4 +65,4 @@ TEST(Factory, PassesOptionsOn) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::factory_test

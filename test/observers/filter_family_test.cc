@@ -8,7 +8,7 @@
 
 #include "observers/momentum.h"
 
-namespace dob {
+namespace dob::filter_family_test {
 namespace {
 
 using ::testing::AllOf;
@@ -110,4 +110,4 @@ TEST(MomentumOptions, TakeOneWayToGiveTheGainsOnly) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::filter_family_test

@@ -4,7 +4,7 @@
 
 #include "test/support/standing_dogbot.h"
 
-namespace dob {
+namespace dob::frozen_robot_test {
 namespace {
 
 // Every velocity-dependent term that the plant sets, against the model's own at that pose and velocity.
@@ -49,4 +49,4 @@ TEST(FrozenRobot, HandsOverTheModelAtBothEndsOfTheInterval) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::frozen_robot_test

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::kalman_test {
 namespace {
 
 constexpr double kTick = 1e-3;
@@ -87,4 +87,4 @@ TEST(KalmanOptions, RefusesNoiseThatIsNone) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::kalman_test

@@ -7,7 +7,7 @@
 #include "test/observers/flight_test.h"
 #include "test/observers/ideal_plant.h"
 
-namespace dob {
+namespace dob::leg_methods_test {
 namespace {
 
 using test::FreeFlight;
@@ -188,4 +188,4 @@ TEST(ContactConsistent, RefusesAStretchedLeg) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::leg_methods_test

@@ -5,7 +5,7 @@
 #include "observers/momentum.h"
 #include "test/observers/flight_test.h"
 
-namespace dob {
+namespace dob::momentum_dynamics_test {
 namespace {
 
 using test::FreeFlight;
@@ -115,4 +115,4 @@ TEST_F(MomentumDynamicsTest, EstimatesNothingButTheQuadratureErrorWithoutADistur
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::momentum_dynamics_test

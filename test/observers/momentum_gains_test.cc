@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::momentum_gains_test {
 namespace {
 
 using ::testing::AllOf;
@@ -243,4 +243,4 @@ TEST(CheckGains, RefusesWhatIsNoSetOfGains) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::momentum_gains_test

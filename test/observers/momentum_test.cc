@@ -11,7 +11,7 @@
 
 #include "test/observers/ideal_plant.h"
 
-namespace dob {
+namespace dob::momentum_test {
 namespace {
 
 using ::testing::AllOf;
@@ -310,4 +310,4 @@ TEST(MomentumOptions, ReadsTheCoriolisChoice) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::momentum_test

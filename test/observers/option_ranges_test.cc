@@ -12,7 +12,7 @@
 #include "observers/factory.h"
 #include "test/support/ranges_page.h"
 
-namespace dob {
+namespace dob::option_ranges_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -106,4 +106,4 @@ TEST(ObserverOptionRanges, OfTheTickAreFiniteAndPositive) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::option_ranges_test

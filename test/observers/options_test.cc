@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::options_test {
 namespace {
 
 using ::testing::AllOf;
@@ -102,4 +102,4 @@ TEST(OptionReader, ErrorsNameObserverKeyValueAndWhatIsAllowed) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::options_test

@@ -10,7 +10,7 @@
 #include "observers/momentum.h"
 #include "test/observers/ideal_plant.h"
 
-namespace dob {
+namespace dob::pair_test {
 namespace {
 
 using ::testing::AllOf;
@@ -139,4 +139,4 @@ TEST(PairObserver, RefusesOptionsWithTheNameOfThePart) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::pair_test

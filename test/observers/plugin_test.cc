@@ -11,7 +11,7 @@
 #include "observers/momentum.h"
 #include "test/observers/ideal_plant.h"
 
-namespace dob {
+namespace dob::plugin_test {
 namespace {
 
 using ::testing::AllOf;
@@ -101,4 +101,4 @@ TEST(Plugin, IsToldFromANameByItsPath) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::plugin_test

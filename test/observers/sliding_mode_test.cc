@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::sliding_mode_test {
 namespace {
 
 constexpr SlidingModeOptions kOptions{.rate = 200.0};  // S_1 = 220 N m/s
@@ -63,4 +63,4 @@ TEST(SuperTwistingFilter, ComesFromFarAwayFasterWithLinearTerms) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::sliding_mode_test

@@ -5,7 +5,7 @@
 
 #include "test/results/campaign_samples.h"
 
-namespace dob {
+namespace dob::campaign_blocks_test {
 namespace {
 
 using test::curve_result;
@@ -38,4 +38,4 @@ TEST(CampaignBlocks, AMapIsNamedAfterBothAxesAndWhatAllItsCellsHave) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::campaign_blocks_test

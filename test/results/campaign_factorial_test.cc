@@ -7,7 +7,7 @@
 
 #include "test/results/campaign_run_samples.h"
 
-namespace dob {
+namespace dob::campaign_factorial_test {
 namespace {
 
 using test::add_trials;
@@ -124,4 +124,4 @@ TEST(CampaignFactorialTest, RefusesCurvesThatAreNoDesign) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::campaign_factorial_test

@@ -7,7 +7,7 @@
 
 #include "test/results/campaign_run_samples.h"
 
-namespace dob {
+namespace dob::campaign_result_test {
 namespace {
 
 using test::add_trials;
@@ -188,4 +188,4 @@ TEST(CampaignResultTest, RefusesWhatDoesNotBelongTogether) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::campaign_result_test

@@ -7,7 +7,7 @@
 #include "results/store.h"
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::campaign_store_test {
 namespace {
 
 using test::key;
@@ -94,4 +94,4 @@ TEST_F(CampaignStoreTest, WhatCannotBeOneIsRefused) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::campaign_store_test

@@ -10,7 +10,7 @@
 
 #include "test/results/campaign_run_samples.h"
 
-namespace dob {
+namespace dob::campaign_table_test {
 namespace {
 
 using nlohmann::json;
@@ -316,4 +316,4 @@ TEST(CampaignTableTest, NamesCannotBreakLines) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::campaign_table_test

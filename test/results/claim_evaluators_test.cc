@@ -5,7 +5,7 @@
 #include "results/metric_fields.h"
 #include "test/results/claim_samples.h"
 
-namespace dob {
+namespace dob::claim_evaluators_test {
 namespace {
 
 using test::ask;
@@ -296,4 +296,4 @@ TEST(GrowsClaimTest, WithoutCommonTimeThereIsNoVerdict) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::claim_evaluators_test

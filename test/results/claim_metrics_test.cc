@@ -8,7 +8,7 @@
 #include "results/metrics.h"
 #include "test/results/quiet_tick.h"
 
-namespace dob {
+namespace dob::claim_metrics_test {
 namespace {
 
 using test::quiet;
@@ -64,4 +64,4 @@ TEST(ClaimMetricsTest, PulseReachesTheCell) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::claim_metrics_test

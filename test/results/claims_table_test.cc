@@ -9,7 +9,7 @@
 #include "results/metric_fields.h"
 #include "test/results/claim_samples.h"
 
-namespace dob {
+namespace dob::claims_table_test {
 namespace {
 
 using test::key;
@@ -77,4 +77,4 @@ TEST(ClaimsTableTest, MarkdownHasAColumnForTheNoteAndLatexHasNot) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::claims_table_test

@@ -12,7 +12,7 @@
 #include "scenarios/loader.h"
 #include "test/results/claim_samples.h"
 
-namespace dob {
+namespace dob::claims_test {
 namespace {
 
 using test::fell;
@@ -241,4 +241,4 @@ TEST(PaperClaims, NameScenariosAndObserversThatThereAre) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::claims_test

@@ -5,7 +5,7 @@
 
 #include "robot/lanes.h"
 
-namespace dob {
+namespace dob::code_path_test {
 namespace {
 
 using ::testing::AllOf;
@@ -35,4 +35,4 @@ TEST(CodePath, DifferencesNameWhatDiffersAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::code_path_test

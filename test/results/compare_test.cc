@@ -5,7 +5,7 @@
 
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::compare_test {
 namespace {
 
 using test::checkpoint;
@@ -128,4 +128,4 @@ TEST(CompareTest, TextSaysWhatIsWorseAndWhy) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::compare_test

@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::fall_threshold_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -214,4 +214,4 @@ TEST(FallThresholdTest, RefusesCountsAndSharesThatCannotBe) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::fall_threshold_test

@@ -7,7 +7,7 @@
 
 #include "test/results/campaign_samples.h"
 
-namespace dob {
+namespace dob::figure_campaign_test {
 namespace {
 
 using ::testing::Contains;
@@ -145,4 +145,4 @@ TEST(CampaignFigures, ShowWhatIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::figure_campaign_test

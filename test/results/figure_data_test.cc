@@ -6,7 +6,7 @@
 
 #include "test/results/figure_samples.h"
 
-namespace dob {
+namespace dob::figure_data_test {
 namespace {
 
 using std::pair;
@@ -121,4 +121,4 @@ TEST_F(TimeFigureTest, EachObserverMayHaveAPanelOfItsOwnWithTheSameRanges) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::figure_data_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::figure_gnuplot_test {
 namespace {
 
 using ::testing::ContainsRegex;
@@ -82,4 +82,4 @@ TEST(GnuplotFiles, ANewLineInANameStaysInItsComment) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::figure_gnuplot_test

@@ -8,7 +8,7 @@
 
 #include "test/results/figure_samples.h"
 
-namespace dob {
+namespace dob::figure_lines_test {
 namespace {
 
 using std::pair;
@@ -104,4 +104,4 @@ TEST(Bands, AreWhereALegSwingsAndWhereADisturbanceActs) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::figure_lines_test

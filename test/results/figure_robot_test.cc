@@ -9,7 +9,7 @@
 
 #include "scenarios/data_directory.h"
 
-namespace dob {
+namespace dob::figure_robot_test {
 namespace {
 
 constexpr int kFromTheRight = 1, kFromAbove = 2;
@@ -78,4 +78,4 @@ TEST(RobotFigure, OfARunWithTwoRobotsShowsEach) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::figure_robot_test

@@ -9,7 +9,7 @@
 #include "scenarios/input_error.h"
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::figure_spec_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -88,4 +88,4 @@ TEST_F(FiguresFile, AnIdCannotLeadOutOfTheDirectory) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::figure_spec_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::figure_style_test {
 namespace {
 
 // The colours that the report page's source gives observers by name.
@@ -69,4 +69,4 @@ TEST(NumberedLooks, DifferInColourAndDash) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::figure_style_test

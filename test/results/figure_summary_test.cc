@@ -8,7 +8,7 @@
 
 #include "test/results/figure_samples.h"
 
-namespace dob {
+namespace dob::figure_summary_test {
 namespace {
 
 using test::FigureRun;
@@ -117,4 +117,4 @@ TEST_F(SurvivalFigure, OneAmplitudeIsNotEnough) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::figure_summary_test

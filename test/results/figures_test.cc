@@ -6,7 +6,7 @@
 #include "test/results/campaign_samples.h"
 #include "test/results/figure_samples.h"
 
-namespace dob {
+namespace dob::figures_test {
 namespace {
 
 using std::pair;
@@ -56,4 +56,4 @@ TEST(Figures, NoTextBreaksTheTableOfTheIndex) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::figures_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::machine_test {
 namespace {
 
 TEST(MachineTest, NamesProcessorCoresAndSystem) {
@@ -19,4 +19,4 @@ TEST(MachineTest, WritesTheDateInUtc) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::machine_test

@@ -6,7 +6,7 @@
 #include "results/table.h"
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::merge_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -229,4 +229,4 @@ TEST_F(MergeTest, AShardIsResumedAsThatShardOnly) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::merge_test

@@ -1,32 +1,11 @@
-// The tick of the metrics stays off the heap. This program counts every allocation it makes.
-#include <cstdlib>
-#include <memory>
-#include <new>
-
+// The tick of the metrics stays off the heap.
 #include <gtest/gtest.h>
 
 #include "results/metrics.h"
 #include "test/results/quiet_tick.h"
+#include "test/support/allocation_counter.h"
 
-namespace {
-
-thread_local long allocations = 0;
-
-}  // namespace
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-
-namespace dob {
+namespace dob::metrics_allocation_test {
 namespace {
 
 TickRecord tick_of_a_swing(int tick) {
@@ -41,17 +20,17 @@ TickRecord tick_of_a_swing(int tick) {
 
 TEST(MetricsAllocationTest, TicksOfTheAnnouncedDurationAllocateNothing) {
   MetricsAccumulator metrics({}, 0.001, 2.0);
-  const long before = allocations;
+  const test::AllocationCounter allocations;
   for (int tick = 0; tick < 2000; ++tick) metrics.add(tick_of_a_swing(tick));
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(allocations.count(), 0);
 }
 
 TEST(MetricsAllocationTest, CounterSeesAnAllocation) {
-  const long before = allocations;
   MetricsAccumulator metrics({}, 0.001, 0.0);
+  const test::AllocationCounter allocations;
   for (int tick = 0; tick < 100; ++tick) metrics.add(tick_of_a_swing(tick));
-  EXPECT_GT(allocations, before);
+  EXPECT_GT(allocations.count(), 0);
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::metrics_allocation_test

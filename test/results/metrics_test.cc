@@ -11,7 +11,7 @@
 
 #include "test/results/quiet_tick.h"
 
-namespace dob {
+namespace dob::metrics_test {
 namespace {
 
 using test::quiet;
@@ -382,4 +382,4 @@ TEST(MetricsTest, ComWrenchErrorsAreApartInForceAndMomentOverTheTicksWithAnEstim
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::metrics_test

@@ -7,7 +7,7 @@
 
 #include "test/results/quiet_tick.h"
 
-namespace dob {
+namespace dob::pulse_response_test {
 namespace {
 
 using test::quiet;
@@ -132,4 +132,4 @@ TEST(PulseResponseTest, ForcesThatStayChangeOrReturnAreNoPulses) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::pulse_response_test

@@ -6,7 +6,7 @@
 #include "test/results/campaign_samples.h"
 #include "test/results/report_samples.h"
 
-namespace dob {
+namespace dob::report_campaign_test {
 namespace {
 
 using test::failed;
@@ -131,4 +131,4 @@ TEST_F(ReportOfACampaign, WithoutTimeSeriesSaysSo) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::report_campaign_test

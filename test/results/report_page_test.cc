@@ -5,7 +5,7 @@
 
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::report_page_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -39,4 +39,4 @@ TEST_F(ReportPage, ATemplateHasTheMarkerOnce) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::report_page_test

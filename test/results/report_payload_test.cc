@@ -9,7 +9,7 @@
 
 #include "test/results/report_samples.h"
 
-namespace dob {
+namespace dob::report_payload_test {
 namespace {
 
 using test::PageTrace;
@@ -121,4 +121,4 @@ TEST(ReportPayload, WhatCannotBeDrawnIsRefused) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::report_payload_test

@@ -7,7 +7,7 @@
 #include "scenarios/loader.h"
 #include "test/results/report_samples.h"
 
-namespace dob {
+namespace dob::report_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -238,4 +238,4 @@ TEST_F(Report, WhatIsNoRunIsRefused) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::report_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::report_text_test {
 namespace {
 
 TEST(ReportText, AbsolutePathsBecomeTheirFilesNames) {
@@ -39,4 +39,4 @@ TEST(ReportText, BytesThatAreNoTextAreReplaced) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::report_text_test

@@ -5,7 +5,7 @@
 
 #include "test/results/report_samples.h"
 
-namespace dob {
+namespace dob::report_traces_test {
 namespace {
 
 using test::key;
@@ -136,4 +136,4 @@ TEST_F(ReportTracesInRoom, WhatOlderTracesLackIsSaid) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::report_traces_test

@@ -8,7 +8,7 @@
 #include "results/store.h"
 #include "run_samples.h"
 
-namespace dob {
+namespace dob::seeded_list_test {
 namespace {
 
 using test::key;
@@ -60,4 +60,4 @@ TEST(Interned, HoldsEqualElementsOnce) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::seeded_list_test

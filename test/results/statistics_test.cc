@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::statistics_test {
 namespace {
 
 std::vector<double> zero_to(int last) {
@@ -117,4 +117,4 @@ TEST(BootstrapTest, SaysNothingBelowEightSamples) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::statistics_test

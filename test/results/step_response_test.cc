@@ -7,7 +7,7 @@
 
 #include "test/results/quiet_tick.h"
 
-namespace dob {
+namespace dob::step_response_test {
 namespace {
 
 using test::quiet;
@@ -85,4 +85,4 @@ TEST(StepResponseTest, WithoutAnEstimateThereIsNone) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::step_response_test

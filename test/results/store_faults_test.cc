@@ -11,7 +11,7 @@
 #include "results/store.h"
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::store_faults_test {
 namespace {
 
 using test::append_text;
@@ -231,4 +231,4 @@ TEST_F(StoreFaultsTest, FullDiskLeavesWhatWasThereIntact) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::store_faults_test

@@ -14,7 +14,7 @@
 #include "results/store.h"
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::store_hostile_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -209,4 +209,4 @@ TEST_F(HostileStoreTest, MakingARunWritesThroughNoLink) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::store_hostile_test

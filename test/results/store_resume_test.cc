@@ -4,7 +4,7 @@
 #include "results/store.h"
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::store_resume_test {
 namespace {
 
 using test::key;
@@ -88,4 +88,4 @@ TEST_F(StoreResumeTest, AnotherMachineIsAllowedAndNoted) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::store_resume_test

@@ -14,7 +14,7 @@
 #include "results/metric_fields.h"
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::store_test {
 namespace {
 
 using test::key;
@@ -355,4 +355,4 @@ TEST_F(StoreTest, OpenedRunGoesOn) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::store_test

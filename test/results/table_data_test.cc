@@ -8,7 +8,7 @@
 #include "results/table.h"
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::table_data_test {
 namespace {
 
 using nlohmann::json;
@@ -185,4 +185,4 @@ TEST(TableCsvTest, QuotesWhatWouldBreakALine) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::table_data_test

@@ -7,7 +7,7 @@
 #include "results/table.h"
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::table_formats_test {
 namespace {
 
 using test::failed;
@@ -236,4 +236,4 @@ TEST(TableLatexTest, EscapesEveryCharacterWithAMeaning) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::table_formats_test

@@ -5,7 +5,7 @@
 
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::table_reference_test {
 namespace {
 
 using test::checkpoint;
@@ -131,4 +131,4 @@ TEST(TableReferenceTest, ARunWithoutNoneHasNoReferenceUnlessOneIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::table_reference_test

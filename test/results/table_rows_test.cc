@@ -5,7 +5,7 @@
 
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::table_rows_test {
 namespace {
 
 using test::failed;
@@ -219,4 +219,4 @@ TEST(TableRowsTest, OrderIsThatOfTheRun) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::table_rows_test

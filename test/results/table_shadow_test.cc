@@ -6,7 +6,7 @@
 
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::table_shadow_test {
 namespace {
 
 using test::fell;
@@ -95,4 +95,4 @@ TEST(TableShadowTest, ARunWithoutShadowsSaysSo) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::table_shadow_test

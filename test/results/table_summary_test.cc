@@ -4,7 +4,7 @@
 #include "results/table.h"
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::table_summary_test {
 namespace {
 
 using test::failed;
@@ -135,4 +135,4 @@ TEST(TableSummaryTest, ScenariosThatDoNotFitSideBySideGoBelow) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::table_summary_test

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::time_histogram_test {
 namespace {
 
 TEST(TimeHistogram, ADurationIsInTheBinWhoseLowerEdgeItReaches) {
@@ -48,4 +48,4 @@ TEST(TimeHistogram, NothingIsEmptyAndWhatIsNoDurationIsRefused) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::time_histogram_test

@@ -12,7 +12,7 @@
 #include "results/zlib_stream.h"
 #include "test/results/trace_decoder.h"
 
-namespace dob {
+namespace dob::trace_encoding_test {
 namespace {
 
 using test::from_base64;
@@ -130,4 +130,4 @@ TEST(TraceEncoding, BytesSurviveCompressionAndBase64) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::trace_encoding_test

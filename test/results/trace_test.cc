@@ -8,7 +8,7 @@
 
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::trace_test {
 namespace {
 
 using test::read_text;
@@ -67,4 +67,4 @@ TEST_F(TraceTest, WhatIsNoTraceOrDamagedIsToldApart) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::trace_test

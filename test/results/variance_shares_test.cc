@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::variance_shares_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -198,4 +198,4 @@ TEST(CompleteDesignTest, NothingIsLeftOfNothing) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::variance_shares_test

@@ -7,7 +7,7 @@
 
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::verification_test {
 namespace {
 
 using test::failed;
@@ -154,4 +154,4 @@ TEST(VerificationText, AcrossSaysWhatDiffersAndHowFarTheMetricsLieApart) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::verification_test

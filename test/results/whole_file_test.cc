@@ -5,7 +5,7 @@
 
 #include "test/results/run_samples.h"
 
-namespace dob {
+namespace dob::whole_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,4 +41,4 @@ TEST(WholeFile, WhatLinksOfItsNamesPointToIsLeftAlone) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::whole_file_test

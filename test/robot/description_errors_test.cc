@@ -10,7 +10,7 @@
 #include "robot/description.h"
 #include "test/robot/urdf_text.h"
 
-namespace dob {
+namespace dob::description_errors_test {
 namespace {
 
 using test::dogbot_text;
@@ -253,4 +253,4 @@ TEST(DamagedRobot, HipsInARowAreNeitherLeftNorRight) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::description_errors_test

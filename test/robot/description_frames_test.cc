@@ -10,7 +10,7 @@
 #include "robot/inverse_kinematics.h"
 #include "test/robot/urdf_text.h"
 
-namespace dob {
+namespace dob::description_frames_test {
 namespace {
 
 // Random values of one robot, and the two ways to write it.
@@ -176,4 +176,4 @@ TEST(FixedJoints, MergeInertiasLikeOneBody) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::description_frames_test

@@ -11,7 +11,7 @@
 #include "robot/description.h"
 #include "test/robot/urdf_text.h"
 
-namespace dob {
+namespace dob::description_hostile_test {
 namespace {
 
 using test::dogbot_text;
@@ -96,4 +96,4 @@ TEST(ConcurrentLoads, KeepTheirMessagesApart) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::description_hostile_test

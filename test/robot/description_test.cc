@@ -8,7 +8,7 @@
 
 #include "test/robot/urdf_text.h"
 
-namespace dob {
+namespace dob::description_test {
 namespace {
 
 using test::dogbot_text;
@@ -275,4 +275,4 @@ TEST(ScaleInertia, RefusesAFactorThatIsNotPositive) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::description_test

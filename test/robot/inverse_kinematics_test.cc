@@ -10,7 +10,7 @@
 #include "test/robot/urdf_text.h"
 #include "test/support/shipped_robots.h"
 
-namespace dob {
+namespace dob::inverse_kinematics_test {
 namespace {
 
 // The published standing posture, by leg (LF is the description's back right, and so on).
@@ -135,4 +135,4 @@ TEST_P(LegKinematics, FootReachedOnlyBeyondTheJointLimitsHasNoSolution) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::inverse_kinematics_test

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::lanes_test {
 namespace {
 
 TEST(Lanes, SineAndCosineAreExactToRoundingOverTheStatedRange) {
@@ -74,4 +74,4 @@ TEST(Lanes, AreStoredAsVectorsOfTheirLegsAndNothingBeside) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::lanes_test

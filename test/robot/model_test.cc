@@ -14,7 +14,7 @@
 #include "test/support/random_state.h"
 #include "test/support/shipped_robots.h"
 
-namespace dob {
+namespace dob::model_test {
 namespace {
 
 constexpr int kStates = 1000;
@@ -254,4 +254,4 @@ TEST_P(ModelTest, LegMomentumRateObeysEquation3) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::model_test

@@ -7,7 +7,7 @@
 #include "robot/inverse_kinematics.h"
 #include "test/support/shipped_robots.h"
 
-namespace dob {
+namespace dob::quad12_test {
 namespace {
 
 constexpr double kExact = 1e-15;  // sums of numbers below 1
@@ -109,4 +109,4 @@ TEST(Quad12Whole, WeighsWhatTheLinksDo) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::quad12_test

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::text_input_test {
 namespace {
 
 TEST(PrintableLine, LeavesPrintableTextAsItIs) {
@@ -81,4 +81,4 @@ TEST_F(TextFile, ThatIsNoneSaysWhatItIs) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::text_input_test

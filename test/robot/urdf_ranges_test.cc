@@ -14,7 +14,7 @@
 #include "test/robot/urdf_text.h"
 #include "test/support/ranges_page.h"
 
-namespace dob {
+namespace dob::urdf_ranges_test {
 namespace {
 
 using test::dogbot_text;
@@ -85,4 +85,4 @@ TEST(UrdfRanges, AreWhatThePageSays) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::urdf_ranges_test

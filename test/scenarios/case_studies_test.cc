@@ -9,7 +9,7 @@
 #include "scenarios/loader.h"
 #include "test/scenarios/load_one.h"
 
-namespace dob {
+namespace dob::case_studies_test {
 namespace {
 
 using testing::ElementsAre;
@@ -214,4 +214,4 @@ TEST(Case4, MayBeNarrowedToAWindowAndToSomeLegs) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::case_studies_test

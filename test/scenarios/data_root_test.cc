@@ -4,7 +4,7 @@
 
 #include "test/scenarios/scratch_files.h"
 
-namespace dob {
+namespace dob::data_root_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -49,4 +49,4 @@ TEST(DataRoot, OfThisBuildHoldsWhatTheProgramReads) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::data_root_test

@@ -9,7 +9,7 @@
 
 #include "test/scenarios/scratch_files.h"
 
-namespace dob {
+namespace dob::document_test {
 namespace {
 
 Node parse(const std::string& text) {
@@ -92,4 +92,4 @@ TEST(Document, TakesAWordWithoutQuotesFromTheCommandLine) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::document_test

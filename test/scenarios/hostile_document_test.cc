@@ -13,7 +13,7 @@
 #include "scenarios/loader.h"
 #include "test/scenarios/scratch_files.h"
 
-namespace dob {
+namespace dob::hostile_document_test {
 namespace {
 
 using testing::EndsWith;
@@ -170,4 +170,4 @@ TEST(HostileDocument, MinusZeroIsWrittenAsItself) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::hostile_document_test

@@ -8,7 +8,7 @@
 #include "scenarios/loader.h"
 #include "test/scenarios/scratch_files.h"
 
-namespace dob {
+namespace dob::imperfections_test {
 namespace {
 
 using testing::HasSubstr;
@@ -104,4 +104,4 @@ TEST(PayloadScenario, Puts3KilogramsOnTheTrunkAt5Seconds) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::imperfections_test

@@ -11,7 +11,7 @@
 #include "scenarios/loader.h"
 #include "test/scenarios/scratch_files.h"
 
-namespace dob {
+namespace dob::input_error_test {
 namespace {
 
 using testing::HasSubstr;
@@ -365,4 +365,4 @@ TEST(InputError, ShippedSettingsCutShortLoadOrAreRefused) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::input_error_test

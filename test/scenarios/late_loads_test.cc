@@ -7,7 +7,7 @@
 #include "scenarios/loader.h"
 #include "test/scenarios/scratch_files.h"
 
-namespace dob {
+namespace dob::late_loads_test {
 namespace {
 
 using testing::AllOf;
@@ -70,4 +70,4 @@ TEST(ShippedScenarios, HaveNoDisturbanceThatNeverActs) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::late_loads_test

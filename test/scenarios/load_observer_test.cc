@@ -12,7 +12,7 @@
 #include "test/observers/ideal_plant.h"
 #include "test/scenarios/scratch_files.h"
 
-namespace dob {
+namespace dob::load_observer_test {
 namespace {
 
 using testing::AllOf;
@@ -395,4 +395,4 @@ TEST(LoadObserver, AValueThatSpeaksOfAnotherOptionIsRefusedAtItsOwnPlace) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::load_observer_test

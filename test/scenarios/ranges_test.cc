@@ -12,7 +12,7 @@
 #include "test/scenarios/schema_walk.h"
 #include "test/support/ranges_page.h"
 
-namespace dob {
+namespace dob::ranges_test {
 namespace {
 
 using testing::StartsWith;
@@ -129,4 +129,4 @@ TEST(Ranges, OfATrialAreInTimeAndInTicks) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::ranges_test

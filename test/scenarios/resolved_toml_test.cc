@@ -8,7 +8,7 @@
 #include "scenarios/loader.h"
 #include "test/scenarios/scratch_files.h"
 
-namespace dob {
+namespace dob::resolved_toml_test {
 namespace {
 
 // Every field, bit for bit.
@@ -148,4 +148,4 @@ TEST(ResolvedToml, IsRefusedForAVariantThatWasNotAskedFor) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::resolved_toml_test

@@ -11,7 +11,7 @@
 #include "test/scenarios/load_one.h"
 #include "test/scenarios/scratch_files.h"
 
-namespace dob {
+namespace dob::scenario_files_test {
 namespace {
 
 using testing::ElementsAre;
@@ -340,4 +340,4 @@ TEST(DataDirectory, CanBeChosenByTheEnvironment) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::scenario_files_test

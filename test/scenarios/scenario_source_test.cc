@@ -7,7 +7,7 @@
 #include "scenarios/loader.h"
 #include "test/scenarios/scratch_files.h"
 
-namespace dob {
+namespace dob::scenario_source_test {
 namespace {
 
 using testing::AllOf;
@@ -178,4 +178,4 @@ TEST(FileKeys, AreCheckedAndStayWithTheirFile) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::scenario_source_test

@@ -6,7 +6,7 @@
 #include "observers/factory.h"
 #include "scenarios/loader.h"
 
-namespace dob {
+namespace dob::stored_observer_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -67,4 +67,4 @@ TEST(StoredObserver, WhatIsNotOneIsRefusedWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::stored_observer_test

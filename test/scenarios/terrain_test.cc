@@ -7,7 +7,7 @@
 #include "scenarios/loader.h"
 #include "test/scenarios/scratch_files.h"
 
-namespace dob {
+namespace dob::terrain_test {
 namespace {
 
 using testing::ElementsAre;
@@ -137,4 +137,4 @@ TEST(FrictionSweep, IsCase4OnGroundThatTheControllerKnowsOrTakesFor04) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::terrain_test

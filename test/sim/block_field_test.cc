@@ -14,7 +14,7 @@
 #include "sim/simulator.h"
 #include "test/sim/hand_built_robot.h"
 
-namespace dob {
+namespace dob::block_field_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -208,4 +208,4 @@ TEST_F(OnAField, AFootHasTheFrictionOfItsBlock) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::block_field_test

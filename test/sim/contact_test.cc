@@ -7,7 +7,7 @@
 #include "sim/simulator.h"
 #include "test/sim/hand_built_robot.h"
 
-namespace dob {
+namespace dob::contact_test {
 namespace {
 
 double vertical_force(const StepResult& step) {
@@ -130,4 +130,4 @@ TEST(Contact, CanBeSwitchedOff) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::contact_test

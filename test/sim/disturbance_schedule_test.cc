@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::disturbance_schedule_test {
 namespace {
 
 constexpr double kDt = 1e-3;
@@ -107,4 +107,4 @@ TEST(DisturbanceSchedule, AProfileCountsFromTheMomentItsTriggerFires) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::disturbance_schedule_test

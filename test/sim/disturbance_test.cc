@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::disturbance_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -156,4 +156,4 @@ TEST(Disturbance, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::disturbance_test

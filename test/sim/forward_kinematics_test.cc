@@ -8,7 +8,7 @@
 #include "test/sim/hand_built_robot.h"
 #include "test/support/random_state.h"
 
-namespace dob {
+namespace dob::forward_kinematics_test {
 namespace {
 
 TEST(LinkMotions, PutTheFootOfAStraightLegBelowTheHip) {
@@ -63,4 +63,4 @@ TEST(LinkMotions, AgreeWithTheDynamicsModel) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::forward_kinematics_test

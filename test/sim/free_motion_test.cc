@@ -9,7 +9,7 @@
 #include "test/sim/hand_built_robot.h"
 #include "test/support/random_state.h"
 
-namespace dob {
+namespace dob::free_motion_test {
 namespace {
 
 SimOptions in_flight(double dt) {
@@ -139,4 +139,4 @@ TEST(Pendulum, ALegSwingsWithThePeriodOfThePhysicalPendulum) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::free_motion_test

@@ -7,7 +7,7 @@
 #include "sim/simulator.h"
 #include "test/sim/hand_built_robot.h"
 
-namespace dob {
+namespace dob::friction_test {
 namespace {
 
 class Sled {
@@ -105,4 +105,4 @@ TEST(Friction, OfABoxIsItsOwnNotThatOfTheGroundBelow) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::friction_test

@@ -13,7 +13,7 @@
 #include "test/sim/hand_built_robot.h"
 #include "test/support/random_state.h"
 
-namespace dob {
+namespace dob::model_agreement_test {
 namespace {
 
 Vec18 velocity(const RobotState& state) {
@@ -216,4 +216,4 @@ TEST(AppliedForce, ChangesLinearAndAngularMomentumByItsImpulseAndMoment) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::model_agreement_test

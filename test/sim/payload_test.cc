@@ -10,7 +10,7 @@
 #include "sim/simulator.h"
 #include "test/sim/hand_built_robot.h"
 
-namespace dob {
+namespace dob::payload_test {
 namespace {
 
 constexpr PerLeg<double> kStanding{-1.0, -1.0, -1.0, -1.0};
@@ -138,4 +138,4 @@ TEST(Payload, NamesWhatIsNotPhysical) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::payload_test

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::random_push_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -168,4 +168,4 @@ TEST_F(RandomPushTest, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::random_push_test

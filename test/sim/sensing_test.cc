@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::sensing_test {
 namespace {
 
 constexpr PerLeg<bool> kAllTouch{true, true, true, true};
@@ -146,4 +146,4 @@ TEST(Sensing, NamesTheErrorThatIsNotPossible) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::sensing_test

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace dob {
+namespace dob::sensors_test {
 namespace {
 
 StepResult some_step() {
@@ -99,4 +99,4 @@ TEST(Sensors, RefuseANegativeFraction) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::sensors_test

@@ -14,7 +14,7 @@
 #include "test/sim/hand_built_robot.h"
 #include "test/support/random_state.h"
 
-namespace dob {
+namespace dob::simulator_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -220,4 +220,4 @@ TEST(Simulator, NamesTheLinkWithoutMass) {
 }
 
 }  // namespace
-}  // namespace dob
+}  // namespace dob::simulator_test
