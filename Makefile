@@ -77,7 +77,8 @@ mutation: setup
 	test/mutation/mutate.py --jobs $(JOBS)
 
 asan: setup
-	.ci/check-sanitizers robot_test observers_test controller_test sim_test scenarios_test results_test bench_test
+	.ci/setup .ci/packages-checks
+	GTEST_FILTER='*' .ci/check-sanitizers robot_test observers_test controller_test sim_test scenarios_test results_test bench_test
 
 tsan: setup
 	cmake --preset tsan -DDOB_WERROR=OFF >/dev/null

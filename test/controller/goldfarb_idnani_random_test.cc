@@ -6,6 +6,7 @@
 
 #include "controller/goldfarb_idnani.h"
 #include "test/oracles/alglib_qp.h"
+#include "test/support/draws.h"
 #include "test/support/qp_checks.h"
 #include "test/support/random_qp.h"
 
@@ -104,12 +105,12 @@ struct Tally {
 };
 
 template <int N, int M>
-Tally sweep_hostile(std::uint64_t seed, int draws) {
+Tally sweep_hostile(std::uint64_t seed, int problems) {
   RandomQp<N, M> random(seed);
   GoldfarbIdnani<N, M> solver;
   QpSolution<N, M> solution;
   Tally tally;
-  for (int draw = 0; draw < draws; ++draw) {
+  for (int draw = 0; draw < problems; ++draw) {
     const QpProblem<N, M> qp = random.hostile();
     switch (solver.solve(qp, solution)) {
       case QpStatus::kOptimal:
@@ -132,8 +133,8 @@ Tally sweep_hostile(std::uint64_t seed, int draws) {
 }
 
 TEST(GoldfarbIdnaniRandom, NeverClaimsMoreThanItCanProveOnHostileProblems) {
-  constexpr int kLarge = 20000;
-  constexpr int kSmall = 80000;
+  constexpr int kLarge = draws(20000);
+  constexpr int kSmall = draws(80000);
   const Tally large = sweep_hostile<12, 44>(7, kLarge);
   const Tally small = sweep_hostile<2, 8>(8, kSmall);
   EXPECT_EQ(large.other + small.other, 0);
