@@ -1,16 +1,21 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <iterator>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include "bench/batch.h"
 #include "bench/commands.h"
 #include "bench/number_between.h"
+#include "bench/worker_options.h"
+#include "bench/worker_pool.h"
 #include "observers/analysis.h"
 #include "observers/factory.h"
 #include "robot/standing_pose.h"
@@ -29,6 +34,7 @@ struct AnalyseArguments {
   std::vector<std::string> profiles;
   double tick = 0.0;  // [s] 0: that of the scenarios
   bool json = false;
+  WorkerOptions workers{.memory_limit_MB = kDefaultMemoryLimit_MB};
 };
 
 struct Row {
@@ -146,30 +152,36 @@ std::string largest_tick(const ChannelAnalysis& a) {
   return fmt::format("up to {:.3g} ms", 1e3 * *a.max_stable_dt);
 }
 
-void print_answer(const ChannelAnalysis& a) {
-  fmt::print("  answer       -3 dB {} Hz, delay {} ms, overshoot {} %, ", figure(a.bandwidth, to_Hz(1.0), "{:.3f}"),
-             figure(a.delay, 1e3, "{:.1f}"), figure(a.overshoot, 1e2, "{:.1f}"));
-  fmt::print("settling (2 %) {} ms, noise gain {}, static gain {}\n", figure(a.settling_time, 1e3, "{:.0f}"),
-             figure(a.noise_gain, 1.0, "{:.4f}"), figure(a.static_gain, 1.0, "{:.3f}"));
+std::string answer_text(const ChannelAnalysis& a) {
+  return fmt::format(
+      "  answer       -3 dB {} Hz, delay {} ms, overshoot {} %, settling (2 %) {} ms, noise gain {}, static gain {}\n",
+      figure(a.bandwidth, to_Hz(1.0), "{:.3f}"), figure(a.delay, 1e3, "{:.1f}"), figure(a.overshoot, 1e2, "{:.1f}"),
+      figure(a.settling_time, 1e3, "{:.0f}"), figure(a.noise_gain, 1.0, "{:.4f}"),
+      figure(a.static_gain, 1.0, "{:.3f}"));
 }
 
-void print_row(const Row& row, double dt) {
+std::string to_text(const Row& row, double dt) {
   const ChannelAnalysis& a = row.figures;
-  fmt::print("{}, profile {}: {} ({}, step of {:g} {})\n", row.observer, row.profile, channel_name(a.channel),
-             a.linear ? "transfer function" : "measured", a.amplitude, unit(a.channel));
+  std::string text;
+  const auto line = [&text](fmt::string_view form, const auto&... values) {
+    fmt::vformat_to(std::back_inserter(text), form, fmt::make_format_args(values...));
+    text += '\n';
+  };
+  line("{}, profile {}: {} ({}, step of {:g} {})", row.observer, row.profile, channel_name(a.channel),
+       a.linear ? "transfer function" : "measured", a.amplitude, unit(a.channel));
   if (a.linear) {
     const MomentumGains& gains = a.linear->gains;
     const std::vector<double> c = coefficients(gains);
-    fmt::print("  gains        K = {} rad/s, order {}\n", gains_text(gains), gains.K.size());
-    fmt::print("  G(s)         {:.5g} / ({})\n", c[0], denominator_text(c));
-    fmt::print("  poles        {} rad/s\n", format_poles(gains));
-    fmt::print("  Routh        first column {:.4g}: {}\n", fmt::join(first_column(gains), ", "),
-               routh(gains).stable ? "stable" : "NOT stable");
+    line("  gains        K = {} rad/s, order {}", gains_text(gains), gains.K.size());
+    line("  G(s)         {:.5g} / ({})", c[0], denominator_text(c));
+    line("  poles        {} rad/s", format_poles(gains));
+    line("  Routh        first column {:.4g}: {}", fmt::join(first_column(gains), ", "),
+         routh(gains).stable ? "stable" : "NOT stable");
   }
-  fmt::print("  tick {:g} ms  {}, {}\n", 1e3 * dt, a.discrete_stable ? "stable" : "NOT stable", largest_tick(a));
-  if (a.discrete_stable) print_answer(a);
-  if (const std::string words = remark(a); !words.empty()) fmt::print("  NOTE         {}\n", words);
-  fmt::print("\n");
+  line("  tick {:g} ms  {}, {}", 1e3 * dt, a.discrete_stable ? "stable" : "NOT stable", largest_tick(a));
+  if (a.discrete_stable) text += answer_text(a);
+  if (const std::string words = remark(a); !words.empty()) line("  NOTE         {}", words);
+  return text + "\n";
 }
 
 // The robot of the scenarios' defaults, standing.
@@ -205,27 +217,55 @@ std::vector<ObserverConfig> requested(const AnalyseArguments& arguments, double 
   return configs;
 }
 
+// Of one observer: a JSON array of its channels, or text.
+std::string analysed(const ObserverConfig& config, const ModelTerms& pose, double dt, bool as_json) {
+  const auto make = [&](double tick) { return make_observer(config.observer, config.options, tick); };
+  const std::vector<ChannelAnalysis> channels = analyse(make, pose, dt);
+  Json rows = Json::array();
+  std::string text = channels.empty() ? fmt::format("{}: estimates nothing\n\n", config.label) : "";
+  for (const ChannelAnalysis& figures : channels) {
+    const Row row{config.label, config.profile, figures};
+    if (as_json) {
+      rows.push_back(to_json(row, dt));
+    } else {
+      text += to_text(row, dt);
+    }
+  }
+  return as_json ? rows.dump() : text;
+}
+
 int run(const AnalyseArguments& arguments) {
   const Scenario scenario = load_scenarios({.name = "undisturbed"}).at(0);
   const double dt = arguments.tick > 0.0 ? arguments.tick : scenario.sim.dt;
   const std::vector<ObserverConfig> configs = requested(arguments, dt);
   const ModelTerms pose = standing_robot(scenario);
+  // In processes of their own, as a plugin may crash, and in the order asked for.
+  std::vector<std::optional<TaskOutcome>> outcomes(configs.size());
   Json all = Json::array();
-  for (const ObserverConfig& config : configs) {
-    const auto make = [&](double tick) { return make_observer(config.observer, config.options, tick); };
-    const std::vector<ChannelAnalysis> channels = analyse(make, pose, dt);
-    if (channels.empty() && !arguments.json) fmt::print("{}: estimates nothing\n\n", config.label);
-    for (const ChannelAnalysis& figures : channels) {
-      const Row row{config.label, config.profile, figures};
-      if (arguments.json) {
-        all.push_back(to_json(row, dt));
+  std::size_t next = 0;
+  bool failed = false;
+  const auto print_what_is_there = [&] {
+    for (; next < outcomes.size() && outcomes[next]; ++next) {
+      const TaskOutcome& outcome = *outcomes[next];
+      if (!outcome.ok) {
+        failed = true;
+        fmt::print(stderr, "analyse: {}, profile {}: {}\n", configs[next].label, configs[next].profile, outcome.reason);
+      } else if (arguments.json) {
+        for (Json& row : Json::parse(outcome.output)) all.push_back(std::move(row));
       } else {
-        print_row(row, dt);
+        fmt::print("{}", outcome.output);
       }
     }
-  }
+  };
+  const int signal = run_in_processes(
+      configs.size(), arguments.workers, [&](std::size_t i) { return analysed(configs[i], pose, dt, arguments.json); },
+      [&](std::size_t i, const TaskOutcome& outcome) {
+        outcomes[i] = outcome;
+        print_what_is_there();
+      });
+  if (signal != 0) return kExitSignal + signal;
   if (arguments.json) fmt::print("{}\n", all.dump(2));
-  return kExitOk;
+  return failed ? kExitCellErrors : kExitOk;
 }
 
 }  // namespace
@@ -240,6 +280,7 @@ Command add_analyse_command(CLI::App& app) {
   command->add_option("--tick", arguments->tick, "control tick [s] (default: that of the scenarios)")
       ->check(number_between(1e-6, 1.0));
   command->add_flag("--json", arguments->json, "as JSON");
+  add_worker_options(*command, arguments->workers, "observer");
   return [arguments] { return run(*arguments); };
 }
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <memory>
-#include <thread>
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -9,8 +8,8 @@
 #include "bench/campaign_plan.h"
 #include "bench/campaign_search.h"
 #include "bench/commands.h"
-#include "bench/number_between.h"
 #include "bench/shard.h"
+#include "bench/worker_options.h"
 #include "results/campaign_result.h"
 #include "results/campaign_table.h"
 #include "results/whole_file.h"
@@ -66,8 +65,7 @@ int run(CampaignArguments& arguments) {
 }
 
 void add_batch_options(CLI::App& command, BatchOptions& options) {
-  options.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  command.add_option("--jobs", options.jobs, "cells at a time (default: the cores)")->check(CLI::Range(1, 1024));
+  add_worker_options(command, options, "cell");
   CLI::Option* out =
       command.add_option("--out", options.out, "run directory, new or empty (default dobbench-results/NNNN)");
   CLI::Option* resume = command.add_flag(
@@ -75,12 +73,6 @@ void add_batch_options(CLI::App& command, BatchOptions& options) {
       "go on with the campaign in --out, by the same program and with the same arguments, or begin it");
   resume->needs(out);
   command.add_flag("--retry-errors", options.retry_errors, "run cells that could not be run again")->needs(resume);
-  command.add_option("--timeout", options.timeout_s, "wall time for one cell [s]; 0: none")
-      ->check(number_between(0.0, 1e9));
-  command
-      .add_option("--memory-limit", options.memory_limit_MB, "addresses for one cell [MB] (default 4000); 0: no limit")
-      ->check(CLI::Range(0L, 1'000'000'000L))
-      ->type_name("MB");
 }
 
 }  // namespace

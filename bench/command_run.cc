@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <map>
 #include <memory>
-#include <thread>
 #include <unistd.h>
 
 #include <fmt/format.h>
@@ -16,6 +15,7 @@
 #include "bench/plugin_consent.h"
 #include "bench/shard.h"
 #include "bench/shell_words.h"
+#include "bench/worker_options.h"
 #include "results/table.h"
 #include "results/whole_file.h"
 #include "scenarios/input_error.h"
@@ -162,7 +162,6 @@ CLI::App* add_options(CLI::App& app, RunArguments* arguments) {
   const std::map<std::string, Keep> keeps{{"none", Keep::kNone}, {"first-seed", Keep::kFirstSeed}, {"all", Keep::kAll}};
   BatchRequest& request = arguments->request;
   BatchOptions& options = arguments->options;
-  options.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   CLI::App* command = app.add_subcommand("run", "run scenarios with observers and print the comparison table");
   command->add_option("scenario", request.scenarios, "NAME, NAME/VARIANT or FILE.toml; the paper's set by default");
   command
@@ -182,7 +181,7 @@ CLI::App* add_options(CLI::App& app, RunArguments* arguments) {
   command->add_option("--set", request.overrides, "KEY=VALUE laid over every scenario")->allow_extra_args(false);
   command->add_option("--shard", arguments->shard, "only part I of N of the cells, to be merged with the others later")
       ->type_name("I/N");
-  command->add_option("--jobs", options.jobs, "cells at a time (default: the cores)")->check(CLI::Range(1, 1024));
+  add_worker_options(*command, options, "cell");
   CLI::Option* out =
       command->add_option("--out", options.out, "run directory, new or empty (default dobbench-results/NNNN)");
   CLI::Option* resume = command->add_flag(
@@ -203,12 +202,6 @@ CLI::App* add_options(CLI::App& app, RunArguments* arguments) {
   command
       ->add_option("--keep", arguments->keep, "cells whose time series the run keeps: none, first-seed (default), all")
       ->transform(CLI::CheckedTransformer(keeps));
-  command->add_option("--timeout", options.timeout_s, "wall time for one cell [s]; 0: none")
-      ->check(number_between(0.0, 1e9));
-  command
-      ->add_option("--memory-limit", options.memory_limit_MB, "addresses for one cell [MB] (default 4000); 0: no limit")
-      ->check(CLI::Range(0L, 1'000'000'000L))
-      ->type_name("MB");
   return command;
 }
 

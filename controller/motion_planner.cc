@@ -35,15 +35,9 @@ void require_valid(const ZmpOptions& o) {
   require(o.sigma_jerk > 0.0, "zmp.sigma_jerk_m_s3", o.sigma_jerk, "> 0");
 }
 
-double samples(double duration, double sample) noexcept {
-  return std::ceil(duration / sample - 1e-9);
-}
-
 void require_room_for_samples(const PlannerOptions& o, const GaitPattern& p) {
-  const double sample = o.zmp.sample;
-  const double count =
-      (o.horizon + 1) * samples(p.stance_duration, sample) + o.horizon * samples(p.swing_duration, sample);
-  require(count <= kMaxZmpSamples, "zmp.sample_s", sample,
+  const double count = zmp_samples(o, p);
+  require(count <= kMaxZmpSamples, "zmp.sample_s", o.zmp.sample,
           fmt::format("at most {} samples over the {} footsteps of the horizon, these are {}", kMaxZmpSamples,
                       o.horizon, count));
 }
@@ -80,15 +74,19 @@ Vec2 zero_moment_point(const Motion<Vec3>& com) noexcept {
   return com.p.head<2>() - com.p.z() / (kGravity + com.a.z()) * com.a.head<2>();
 }
 
+double zmp_samples(const PlannerOptions& o, const GaitPattern& p) noexcept {
+  if (o.kind == PlannerKind::kSpline) return 0.0;
+  const auto samples = [&o](double duration) { return std::ceil(duration / o.zmp.sample - 1e-9); };
+  return (o.horizon + 1) * samples(p.stance_duration) + o.horizon * samples(p.swing_duration);
+}
+
 MotionPlanner::MotionPlanner(const PlannerOptions& o, const GaitOptions& gait, ReferencePath path)
     : options_(o), path_(std::move(path)), optimizer_(o.zmp, o.horizon) {
   require(o.com_height > 0.0, "com_height_m", o.com_height, "> 0");
   require_valid(o.footsteps);
   require_valid(o.zmp);
-  if (o.kind != PlannerKind::kSpline) {
-    require_room_for_samples(o, gait.pattern);
-    for (const GaitSwitch& s : gait.switches) require_room_for_samples(o, s.pattern);
-  }
+  require_room_for_samples(o, gait.pattern);
+  for (const GaitSwitch& s : gait.switches) require_room_for_samples(o, s.pattern);
   require(o.swing.step_height > 0.0, "step_height_m", o.swing.step_height, "> 0");
   require(o.swing.landing_offset >= 0.0 && o.swing.landing_offset < o.swing.step_height, "landing_offset_m",
           o.swing.landing_offset, "0 to step_height_m");

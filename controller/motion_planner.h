@@ -38,6 +38,10 @@ struct PlannerOptions {
   SwingOptions swing;
 };
 
+// Samples of one ZMP optimisation while the gait keeps to `pattern`: 0 for the spline planner, else at most
+// kMaxZmpSamples.
+double zmp_samples(const PlannerOptions& options, const GaitPattern& pattern) noexcept;
+
 // What the whole-body controller shall track at this tick.
 struct MotionReference {
   Motion<Vec3> com;           // [m, m/s, m/s^2]

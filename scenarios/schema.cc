@@ -121,7 +121,16 @@ FootstepOptions read_footsteps(Reader& t) {
           .max_reach = t.number("max_reach", above(0.0, 1.0))};
 }
 
-PlannerOptions read_planner(Reader& r) {
+void require_room_for_samples(const Reader& zmp, const PlannerOptions& planner, const GaitPattern& pattern) {
+  const double count = zmp_samples(planner, pattern);
+  if (count <= kMaxZmpSamples) return;
+  zmp.refuse("sample_s",
+             fmt::format("at most {} samples over the {} footsteps of the horizon, these are {} (a stance of "
+                         "{} s, a swing of {} s)",
+                         kMaxZmpSamples, planner.horizon, count, pattern.stance_duration, pattern.swing_duration));
+}
+
+PlannerOptions read_planner(Reader& r, const GaitOptions& gait) {
   PlannerOptions planner;
   r.table("planner", [&](Reader& t) {
     planner.kind = t.choice("kind", kPlanners);
@@ -135,6 +144,8 @@ PlannerOptions read_planner(Reader& r) {
                      .sigma_position = z.number("sigma_position_m", above(0.0, 1e3)),
                      .sigma_velocity = z.number("sigma_velocity_m_s", above(0.0, 1e3)),
                      .sigma_jerk = z.number("sigma_jerk_m_s3", above(0.0, 1e6))};
+      require_room_for_samples(z, planner, gait.pattern);
+      for (const GaitSwitch& s : gait.switches) require_room_for_samples(z, planner, s.pattern);
     });
     planner.swing.step_height = t.number("step_height_m", above(0.0, 1.0));
     planner.swing.landing_offset = t.number("landing_offset_m", below(0.0, planner.swing.step_height));
@@ -238,7 +249,7 @@ Scenario read_scenario(const Node& document) {
     s.path = read_path(r, longest);
     s.duration = r.number("duration_s", above(0.0, longest), length_of(s.path));
     s.gait = read_gait(r);
-    s.planner = read_planner(r);
+    s.planner = read_planner(r, s.gait);
     s.controller = read_controller(r, robot);
     r.table("compensation", [&](Reader& t) { s.swing_compensation = t.flag("swing"); });
     read_terrain(r, s);

@@ -133,6 +133,18 @@ TEST_F(PluginFaults, OnesThatHangEndAtTheirTimeout) {
   for (const CellResult& cell : cells) EXPECT_EQ(cell.reason, "timeout after 0.5 s") << cell.key.observer;
 }
 
+TEST_F(PluginFaults, OneThatCrashesOrHangsWhileItIsAnalysedIsALineAndTheOthersAreAnalysed) {
+  const std::string plugin(kPlugin);
+  const Answer answer = dobbench("analyse --json --profile paper --timeout 5 '" + plugin + ":how=segfault' momentum '" +
+                                 plugin + ":how=sleep'");
+  EXPECT_EQ(answer.exit_code, 3);
+  EXPECT_THAT(answer.err, HasSubstr("misbehaves:how=segfault, profile -: crashed: Segmentation fault\n"));
+  EXPECT_THAT(answer.err, HasSubstr("misbehaves:how=sleep, profile -: timeout after 5 s\n"));
+  const auto rows = nlohmann::json::parse(answer.out);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows.at(0).at("observer"), "momentum");
+}
+
 // Finite itself, but nothing that can be measured by it is; and no path takes it to the controller.
 TEST_F(PluginFaults, ACellOfWhichAMetricIsNotFiniteIsNoSurvivor) {
   const Answer answer = dobbench("run undisturbed --set duration_s=0.2 --out run --observer '" + std::string(kPlugin) +

@@ -52,6 +52,13 @@ TEST(InputError, TheSmallestScenarioHasNone) {
   EXPECT_EQ(error_with(kPush), "no error");
 }
 
+TEST(InputError, ASamplingThatTheGaitAndTheHorizonHaveNoRoomForIsNamedWhereItIsWritten) {
+  EXPECT_EQ(error_with("[planner.zmp]\nsample_s = 0.001\n"),
+            "mine.toml:6:1: planner.zmp.sample_s: 0.001; allowed: at most 300 samples over the 2 footsteps of the "
+            "horizon, these are 680 (a stance of 0.15 s, a swing of 0.115 s)");
+  EXPECT_EQ(error_with("[planner]\nkind = \"spline\"\n[planner.zmp]\nsample_s = 0.001\n"), "no error");
+}
+
 TEST(InputError, UnknownKeysNameTheOneThatWasMeant) {
   EXPECT_EQ(error_with("[gait]\nstance_ms = 150\n"),
             "mine.toml:6:1: gait.stance_ms: unknown key 'stance_ms'; did you mean 'stance_s'?");

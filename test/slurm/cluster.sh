@@ -89,7 +89,8 @@ start_cluster() {
   cluster_starts=yes
   [ "$(id -u)" = 0 ] || fail "needs root"
   [ ! -e /etc/slurm/slurm.conf ] || fail "/etc/slurm/slurm.conf: this machine belongs to a cluster; not touched"
-  "$(dirname "${BASH_SOURCE[0]}")/../../.ci/setup" "$(dirname "${BASH_SOURCE[0]}")/../../.ci/packages-slurm"
+  "$(dirname "${BASH_SOURCE[0]}")/../../.ci/setup" "$(dirname "${BASH_SOURCE[0]}")/../../.ci/packages-slurm" ||
+    fail "slurm-wlm or munge cannot be installed"
   # Below /tmp, wherever temporary files else are: munged wants its key private and its socket reachable for everybody.
   cluster_dir=$(mktemp -d /tmp/dob-slurm.XXXXXX)
   mkdir "$cluster_dir"/{munge,state,spool}
