@@ -65,7 +65,7 @@ TEST(SupportPolygon, AgreesWithTheUnionOfTrianglesAtRandomPoints) {
   for (int i = 0; i < 2000; ++i) {
     PerLeg<Vec2> f;
     for (Vec2& foot : f) foot = {uniform(random), uniform(random)};
-    const Vec2 x(uniform(random), uniform(random));
+    const Vec2 x{uniform(random), uniform(random)};
     const bool expected = in_triangle(x, f[0], f[1], f[2]) || in_triangle(x, f[0], f[1], f[3]) ||
                           in_triangle(x, f[0], f[2], f[3]) || in_triangle(x, f[1], f[2], f[3]);
     EXPECT_EQ(support_polygon({true, true, true, true}, f, 0.03).margin(x) >= 0.0, expected) << i;

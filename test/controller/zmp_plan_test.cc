@@ -113,7 +113,7 @@ TEST(ZmpPlan, AnImpossiblePushIsSolvedWithSlackAndNeverRefused) {
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
   double largest = 0.0;
   for (int i = 0; i < 300; ++i) {
-    const auto vector = [&](double scale) { return Vec2(scale * Vec2(uniform(random), uniform(random))); };
+    const auto vector = [&](double scale) { return Vec2(scale * Vec2{uniform(random), uniform(random)}); };
     const Motion<Vec2> start{vector(0.2), vector(2.0), vector(10.0)};
     const ZmpTask task = trot_task(options, start);
     ComTrajectory motion;

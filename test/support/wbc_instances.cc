@@ -51,7 +51,7 @@ std::vector<WbcInstance> random_instances(int count, std::mt19937_64& random) {
       standing_pose(model, scenario.planner.com_height, scenario.planner.footsteps.foot_offset_x,
                     scenario.planner.footsteps.foot_offset_y, scenario.robot.posture);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-  const auto vec3 = [&](double scale) { return Vec3(scale * Vec3(uniform(random), uniform(random), uniform(random))); };
+  const auto vec3 = [&](double scale) { return Vec3(scale * Vec3{uniform(random), uniform(random), uniform(random)}); };
   std::vector<WbcInstance> instances;
   for (int i = 0; i < count; ++i) {
     WbcInstance instance;
