@@ -104,8 +104,14 @@ GaitOptions read_gait(Reader& r) {
     gait.touchdown_force = t.number("touchdown_force_N", above(0.0, 1e4));
     gait.late_wait = t.number("late_wait_s", between(0.0, 10.0));
     t.each("switch", [&](Reader& s) {
-      const double time = s.number("at_s", between(0.0, kLongestTime));
-      gait.switches.push_back({time, read_pattern(s)});
+      const GaitSwitch next{s.number("at_s", between(0.0, kLongestTime)), read_pattern(s)};
+      if (!gait.switches.empty() && next.time < gait.switches.back().time) {
+        s.refuse("at_s", fmt::format("not before the previous switch, {} s", gait.switches.back().time));
+      }
+      if (next.pattern.swing_duration < gait.early_touchdown_window) {
+        s.refuse("swing_s", fmt::format("at least early_touchdown_window_s, {}", gait.early_touchdown_window));
+      }
+      gait.switches.push_back(next);
     });
   });
   return gait;

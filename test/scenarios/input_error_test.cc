@@ -59,6 +59,16 @@ TEST(InputError, ASamplingThatTheGaitAndTheHorizonHaveNoRoomForIsNamedWhereItIsW
   EXPECT_EQ(error_with("[planner]\nkind = \"spline\"\n[planner.zmp]\nsample_s = 0.001\n"), "no error");
 }
 
+TEST(InputError, ASwitchOfTheGaitThatDoesNotFitTheOthersIsNamedWhereItIsWritten) {
+  const std::string crawl = "[[gait.switch]]\nat_s = 3\nkind = \"crawl\"\nstance_s = 0.5\nswing_s = 0.3\n";
+  const std::string stand = "[[gait.switch]]\nat_s = 2\nkind = \"stand\"\nstance_s = 0.5\nswing_s = 0.3\n";
+  EXPECT_EQ(error_with(stand + crawl), "no error");
+  EXPECT_EQ(error_with(crawl + stand),
+            "mine.toml:11:1: gait.switch.1.at_s: 2; allowed: not before the previous switch, 3 s");
+  EXPECT_EQ(error_with("[gait]\nswing_s = 0.4\nearly_touchdown_window_s = 0.35\n" + crawl),
+            "mine.toml:12:1: gait.switch.0.swing_s: 0.3; allowed: at least early_touchdown_window_s, 0.35");
+}
+
 TEST(InputError, UnknownKeysNameTheOneThatWasMeant) {
   EXPECT_EQ(error_with("[gait]\nstance_ms = 150\n"),
             "mine.toml:6:1: gait.stance_ms: unknown key 'stance_ms'; did you mean 'stance_s'?");
